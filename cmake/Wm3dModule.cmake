@@ -1,0 +1,57 @@
+# wm3d_module(NAME sphere HDRS a.hpp ... SRCS b.cpp ... DEPS mesh key LINK wm3d::third::fmt TESTS c_test.cpp ...)
+#
+# Makes the library wm3d::<NAME> of modules/<NAME>. Headers live in include/wm3d/<NAME>/, the facade is
+# include/wm3d/<NAME>.hpp, sources in src/, tests in tests/. DEPS are modules whose headers the module's own
+# headers may include (they must be listed before it in WM3D_MODULES); LINK is linked PRIVATE. Every header
+# compiles alone (target all_verify_interface_header_sets).
+
+if(WM3D_TESTS)
+    file(WRITE ${CMAKE_BINARY_DIR}/doctest_main.cpp
+        "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n")
+    add_library(wm3d_doctest_main STATIC ${CMAKE_BINARY_DIR}/doctest_main.cpp)
+    target_link_libraries(wm3d_doctest_main PUBLIC wm3d::third::doctest)
+    target_compile_features(wm3d_doctest_main PUBLIC cxx_std_20)
+endif()
+
+# wm3d_test(NAME SRCS ... LINK ...): a doctest executable whose cases are separate CTest tests.
+function(wm3d_test name)
+    cmake_parse_arguments(ARG "" "TIMEOUT" "SRCS;LINK;ENVIRONMENT" ${ARGN})
+    if(NOT ARG_TIMEOUT)
+        set(ARG_TIMEOUT 300)
+    endif()
+    add_executable(${name} ${ARG_SRCS})
+    target_link_libraries(${name} PRIVATE wm3d_settings wm3d_doctest_main ${ARG_LINK})
+    set(meshes $ENV{WM3D_MESHES})
+    if(NOT meshes)
+        set(meshes ${PROJECT_SOURCE_DIR}/../shared/meshes)
+    endif()
+    doctest_discover_tests(${name} TEST_PREFIX "${name}: "
+        PROPERTIES TIMEOUT ${ARG_TIMEOUT} SKIP_REGULAR_EXPRESSION "SKIPPED:"
+        ENVIRONMENT "WM3D_MESHES=${meshes};${ARG_ENVIRONMENT}")
+endfunction()
+
+function(wm3d_module)
+    cmake_parse_arguments(ARG "" "NAME" "HDRS;SRCS;DEPS;LINK;TESTS;TEST_LINK" ${ARGN})
+    if(ARG_UNPARSED_ARGUMENTS)
+        message(FATAL_ERROR "wm3d_module(${ARG_NAME}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+    endif()
+    set(target wm3d_${ARG_NAME})
+    set(headers include/wm3d/${ARG_NAME}.hpp)
+    foreach(header IN LISTS ARG_HDRS)
+        list(APPEND headers include/wm3d/${ARG_NAME}/${header})
+    endforeach()
+    list(TRANSFORM ARG_SRCS PREPEND src/)
+    list(TRANSFORM ARG_DEPS PREPEND wm3d::)
+
+    add_library(${target} STATIC ${ARG_SRCS})
+    add_library(wm3d::${ARG_NAME} ALIAS ${target})
+    target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${headers})
+    set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON POSITION_INDEPENDENT_CODE ON)
+    target_compile_features(${target} PUBLIC cxx_std_20)
+    target_link_libraries(${target} PUBLIC ${ARG_DEPS} wm3d::third::eigen PRIVATE wm3d_settings ${ARG_LINK})
+
+    if(WM3D_TESTS AND ARG_TESTS)
+        list(TRANSFORM ARG_TESTS PREPEND tests/)
+        wm3d_test(${target}_tests SRCS ${ARG_TESTS} LINK wm3d::${ARG_NAME} ${ARG_TEST_LINK})
+    endif()
+endfunction()

@@ -1,0 +1,25 @@
+# Settings as interface targets, linked PRIVATE: nothing here leaks into what uses a module.
+
+add_library(wm3d_settings INTERFACE)
+target_compile_features(wm3d_settings INTERFACE cxx_std_20)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# The same bytes on every run and machine of one architecture: no fused multiply-add behind our back.
+target_compile_options(wm3d_settings INTERFACE -ffp-contract=off)
+
+target_compile_options(wm3d_settings INTERFACE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual -Wnull-dereference
+    $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>)
+if(WM3D_WERROR)
+    target_compile_options(wm3d_settings INTERFACE -Werror)
+endif()
+
+if(WM3D_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+find_program(WM3D_CCACHE ccache)
+if(WM3D_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${WM3D_CCACHE})
+endif()

@@ -1,0 +1,52 @@
+# Every third-party library is wrapped here once, as a SYSTEM interface target wm3d::third::<name>:
+# modules name what they use and never see how it is found.
+
+function(wm3d_third_party name)
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
+    add_library(wm3d_third_${name} INTERFACE)
+    add_library(wm3d::third::${name} ALIAS wm3d_third_${name})
+    foreach(library IN LISTS ARG_LINK)
+        target_link_libraries(wm3d_third_${name} INTERFACE ${library})
+        if(TARGET ${library})
+            get_target_property(includes ${library} INTERFACE_INCLUDE_DIRECTORIES)
+            if(includes)
+                target_include_directories(wm3d_third_${name} SYSTEM INTERFACE ${includes})
+            endif()
+        endif()
+    endforeach()
+endfunction()
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+wm3d_third_party(eigen LINK Eigen3::Eigen)
+# Eigen's own threads would make the order of sums depend on their number.
+target_compile_definitions(wm3d_third_eigen INTERFACE EIGEN_DONT_PARALLELIZE)
+
+find_package(TBB REQUIRED)
+wm3d_third_party(tbb LINK TBB::tbb)
+
+find_package(fmt REQUIRED)
+wm3d_third_party(fmt LINK fmt::fmt)
+
+find_package(nlohmann_json REQUIRED)
+wm3d_third_party(json LINK nlohmann_json::nlohmann_json)
+
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(SODIUM REQUIRED IMPORTED_TARGET libsodium)
+wm3d_third_party(sodium LINK PkgConfig::SODIUM)
+
+pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
+wm3d_third_party(tinyobjloader LINK PkgConfig::TINYOBJ)
+
+find_package(Boost 1.74 REQUIRED)
+wm3d_third_party(boost LINK Boost::headers)
+
+if(WM3D_COMMANDS)
+    find_package(CLI11 REQUIRED)
+    wm3d_third_party(cli11 LINK CLI11::CLI11)
+endif()
+
+if(WM3D_TESTS)
+    find_package(doctest REQUIRED)
+    wm3d_third_party(doctest LINK doctest::doctest)
+    include(doctest)
+endif()

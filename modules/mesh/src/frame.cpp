@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/frame.hpp>
+
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/parallel.hpp>
+
+namespace wm3d {
+
+namespace {
+
+constexpr std::size_t block = 16384;
+
+struct Corners {
+    Vec3 a, b, c;
+    double area;
+};
+
+Corners corners(const TriangleMesh& mesh, std::size_t f, const Vec3& origin) {
+    const Triangle& t = mesh.triangles[f];
+    return {mesh.positions[t[0]] - origin, mesh.positions[t[1]] - origin, mesh.positions[t[2]] - origin,
+            0.5 * area_vector(mesh, f).norm()};
+}
+
+/// Moments of order 0 and 1; the origin is any point near the mesh, to keep digits far from zero.
+struct FirstMoments {
+    double area = 0;
+    Vec3 moment = Vec3::Zero();
+    FirstMoments& operator+=(const FirstMoments& o) {
+        area += o.area;
+        moment += o.moment;
+        return *this;
+    }
+};
+
+FirstMoments first_moments(const TriangleMesh& mesh, const Vec3& origin) {
+    return parallel_sum(mesh.triangles.size(), block, FirstMoments{}, [&](std::size_t begin, std::size_t end) {
+        FirstMoments sum;
+        for (std::size_t f = begin; f < end; ++f) {
+            const Corners t = corners(mesh, f, origin);
+            sum.area += t.area;
+            sum.moment += t.area / 3 * (t.a + t.b + t.c);
+        }
+        return sum;
+    });
+}
+
+/// Integral of p p^T over the surface: on a triangle, area/12 (s s^T + a a^T + b b^T + c c^T), s = a + b + c.
+Mat3 second_moments(const TriangleMesh& mesh, const Vec3& origin) {
+    const Mat3 zero = Mat3::Zero();
+    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Mat3 {
+        Mat3 sum = Mat3::Zero();
+        for (std::size_t f = begin; f < end; ++f) {
+            const Corners t = corners(mesh, f, origin);
+            const Vec3 s = t.a + t.b + t.c;
+            sum += t.area / 12 *
+                   (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+        }
+        return sum;
+    });
+}
+
+/// Integral of x^3 over the surface for each axis: on a triangle, area/10 times the sum of all products
+/// of degree 3 of the corners' coordinates.
+Vec3 third_moments(const TriangleMesh& mesh, const Vec3& origin, const Mat3& axes) {
+    const Vec3 zero = Vec3::Zero();
+    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t f = begin; f < end; ++f) {
+            const Corners t = corners(mesh, f, origin);
+            const Eigen::Array3d a = (axes * t.a).array(), b = (axes * t.b).array(), c = (axes * t.c).array();
+            // complete homogeneous polynomial h3(a, b, c)
+            const Eigen::Array3d h2ab = a * a + a * b + b * b;
+            const Eigen::Array3d h3 = a * a * a + b * h2ab + c * (h2ab + c * (a + b) + c * c);
+            sum += t.area / 10 * h3.matrix();
+        }
+        return sum;
+    });
+}
+
+} // namespace
+
+SurfaceMoments surface_moments(const TriangleMesh& mesh) {
+    const Box box = surface_box(mesh);
+    const Vec3 origin = 0.5 * (box.min + box.max);
+    const FirstMoments first = first_moments(mesh, origin);
+    if (!(first.area > 0))
+        throw GeometryError("the mesh has no surface area: all its triangles are degenerate, so there is nothing "
+                            "to mark or to examine; check that the file holds the model that you mean");
+    SurfaceMoments moments;
+    moments.area = first.area;
+    moments.centroid = origin + first.moment / first.area;
+    moments.covariance = second_moments(mesh, moments.centroid) / first.area;
+    return moments;
+}
+
+double mean_radius(const TriangleMesh& mesh, const Vec3& centre) {
+    // Radon's seven-point rule, exact for polynomials of degree 5.
+    static const double root15 = std::sqrt(15.0);
+    const double w0 = 0.225, w1 = (155 - root15) / 1200, w2 = (155 + root15) / 1200;
+    const double p1 = (6 - root15) / 21, p2 = (6 + root15) / 21;
+    double area = 0;
+    const double sum =
+        parallel_sum(mesh.triangles.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
+            double s = 0;
+            for (std::size_t f = begin; f < end; ++f) {
+                const Corners t = corners(mesh, f, centre);
+                const Vec3 total = t.a + t.b + t.c;
+                double radius = w0 * (total / 3).norm();
+                for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
+                    radius += w1 * (p1 * total + (1 - 3 * p1) * *corner).norm();
+                    radius += w2 * (p2 * total + (1 - 3 * p2) * *corner).norm();
+                }
+                s += t.area * radius;
+            }
+            return s;
+        });
+    area = surface_area(mesh);
+    return area > 0 ? sum / area : 0;
+}
+
+Frame canonical_frame(const TriangleMesh& mesh) {
+    const SurfaceMoments moments = surface_moments(mesh);
+    Frame frame;
+    frame.centroid = moments.centroid;
+    frame.scale = mean_radius(mesh, moments.centroid);
+    if (!(frame.scale > 0))
+        throw GeometryError("all points of the surface coincide, so the mesh has no shape to mark or to examine");
+
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moments.covariance); // ascending
+    Mat3 axes;
+    axes.row(0) = eigen.eigenvectors().col(2).transpose();
+    axes.row(1) = eigen.eigenvectors().col(1).transpose();
+    axes.row(2) = axes.row(0).cross(axes.row(1));
+
+    const Vec3 skew = third_moments(mesh, frame.centroid, axes);
+    for (int k : {0, 1})
+        if (skew[k] < 0)
+            axes.row(k) = -axes.row(k);
+    axes.row(2) = axes.row(0).cross(axes.row(1));
+    frame.axes = axes;
+    return frame;
+}
+
+std::array<Frame, 4> sign_choices(const Frame& frame) {
+    std::array<Frame, 4> choices{frame, frame, frame, frame};
+    for (int turn = 1; turn < 4; ++turn)
+        for (int k = 0; k < 3; ++k)
+            if (k != turn - 1)
+                choices[turn].axes.row(k) = -frame.axes.row(k);
+    return choices;
+}
+
+TriangleMesh to_frame(const TriangleMesh& mesh, const Frame& frame) {
+    TriangleMesh moved = mesh;
+    parallel_blocks(moved.positions.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            moved.positions[v] = frame.to_canonical(moved.positions[v]);
+    });
+    return moved;
+}
+
+} // namespace wm3d

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/frame.hpp>
+
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <doctest/doctest.h>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/parallel.hpp>
+
+using namespace wm3d;
+
+namespace {
+
+/// A wedge-like tetrahedron with no symmetry.
+TriangleMesh tetrahedron() {
+    return {{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}, {0.5, 0.25, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+/// Every triangle split at its edge midpoints: the same surface with four times the triangles.
+TriangleMesh split(const TriangleMesh& mesh) {
+    TriangleMesh fine;
+    for (const Triangle& t : mesh.triangles) {
+        const auto base = static_cast<Index>(fine.positions.size());
+        for (Index v : t)
+            fine.positions.push_back(mesh.positions[v]);
+        for (int k = 0; k < 3; ++k)
+            fine.positions.push_back(0.5 * (mesh.positions[t[k]] + mesh.positions[t[(k + 1) % 3]]));
+        for (const Triangle& s : {Triangle{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}})
+            fine.triangles.push_back({base + s[0], base + s[1], base + s[2]});
+    }
+    return fine;
+}
+
+} // namespace
+
+TEST_CASE("moments of a rectangle are those of the formula") {
+    const TriangleMesh rectangle{{{1, 1, 5}, {7, 1, 5}, {7, 3, 5}, {1, 3, 5}}, {{0, 1, 2}, {0, 2, 3}}};
+    const SurfaceMoments m = surface_moments(rectangle);
+    CHECK(m.area == doctest::Approx(12));
+    CHECK((m.centroid - Vec3(4, 2, 5)).norm() < 1e-14);
+    CHECK(m.covariance(0, 0) == doctest::Approx(36.0 / 12));
+    CHECK(m.covariance(1, 1) == doctest::Approx(4.0 / 12));
+    CHECK(std::abs(m.covariance(0, 1)) < 1e-14);
+    CHECK(m.covariance(2, 2) == doctest::Approx(0));
+}
+
+TEST_CASE("moments and frame don't depend on the triangulation") {
+    const TriangleMesh coarse = tetrahedron(), fine = split(split(coarse));
+    const SurfaceMoments a = surface_moments(coarse), b = surface_moments(fine);
+    CHECK((a.centroid - b.centroid).norm() < 1e-14);
+    CHECK((a.covariance - b.covariance).norm() < 1e-14);
+    CHECK((canonical_frame(coarse).axes - canonical_frame(fine).axes).norm() < 1e-12);
+    CHECK(canonical_frame(coarse).scale == doctest::Approx(canonical_frame(fine).scale).epsilon(0.01));
+}
+
+TEST_CASE("the canonical frame follows a similarity transform") {
+    const TriangleMesh mesh = tetrahedron();
+    const Mat3 rotation = Eigen::AngleAxisd(2.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+    TriangleMesh moved = mesh;
+    for (Vec3& p : moved.positions)
+        p = 3.5 * (rotation * p) + Vec3(10, -20, 5);
+    const TriangleMesh a = to_frame(mesh, canonical_frame(mesh)), b = to_frame(moved, canonical_frame(moved));
+    for (std::size_t v = 0; v < a.positions.size(); ++v)
+        CHECK((a.positions[v] - b.positions[v]).norm() < 1e-12);
+}
+
+TEST_CASE("in the canonical frame the centroid is 0 and the mean radius 1, and the way back is exact") {
+    const TriangleMesh mesh = tetrahedron();
+    const Frame frame = canonical_frame(mesh);
+    CHECK(frame.axes.determinant() == doctest::Approx(1));
+    const TriangleMesh moved = to_frame(mesh, frame);
+    CHECK(surface_moments(moved).centroid.norm() < 1e-14);
+    CHECK(mean_radius(moved, Vec3::Zero()) == doctest::Approx(1).epsilon(1e-14));
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        CHECK((frame.from_canonical(moved.positions[v]) - mesh.positions[v]).norm() < 1e-14);
+}
+
+TEST_CASE("the mean radius of a fine sphere-like surface is close to its radius") {
+    // An octahedron split and pushed to the unit sphere.
+    TriangleMesh ball{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+    for (int i = 0; i < 5; ++i) {
+        ball = split(ball);
+        for (Vec3& p : ball.positions)
+            p.normalize();
+    }
+    CHECK(mean_radius(ball, Vec3::Zero()) == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("the four sign choices are proper rotations, all different, the first unchanged") {
+    const std::array<Frame, 4> choices = sign_choices(canonical_frame(tetrahedron()));
+    for (const Frame& f : choices)
+        CHECK(f.axes.determinant() == doctest::Approx(1));
+    CHECK(choices[0].axes == canonical_frame(tetrahedron()).axes);
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < i; ++j)
+            CHECK((choices[i].axes - choices[j].axes).norm() > 1);
+}
+
+TEST_CASE("a surface without area has no frame, and the message says so") {
+    CHECK_THROWS_AS(canonical_frame(TriangleMesh{}), GeometryError);
+    const TriangleMesh line{{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}};
+    CHECK_THROWS_WITH_AS(canonical_frame(line), doctest::Contains("no surface area"), GeometryError);
+}
+
+TEST_CASE("the frame has the same bits at one thread and at many") {
+    TriangleMesh mesh = tetrahedron();
+    for (int i = 0; i < 8; ++i)
+        mesh = split(mesh);
+    const Frame many = canonical_frame(mesh);
+    const ThreadLimit one(1);
+    const Frame single = canonical_frame(mesh);
+    CHECK(many.axes == single.axes);
+    CHECK(many.centroid == single.centroid);
+    CHECK(many.scale == single.scale);
+}

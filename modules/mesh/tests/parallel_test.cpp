@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/parallel.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+using namespace wm3d;
+
+TEST_CASE("every number is visited once, whatever the block") {
+    for (std::size_t block : {1u, 3u, 7u, 100u, 1000u}) {
+        std::vector<int> visits(100, 0);
+        parallel_blocks(visits.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                ++visits[i];
+        });
+        CHECK(visits == std::vector<int>(100, 1));
+    }
+    parallel_blocks(0, 8, [](std::size_t, std::size_t) { FAIL("no block is expected"); });
+}
+
+TEST_CASE("a sum has the same bits at one thread and at many") {
+    const auto sum = [] {
+        return parallel_sum(100000, 512, 0.0, [](std::size_t begin, std::size_t end) {
+            double s = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                s += std::sin(static_cast<double>(i));
+            return s;
+        });
+    };
+    const double many = sum();
+    const ThreadLimit one(1);
+    CHECK(thread_count() == 1);
+    CHECK(sum() == many);
+}
+
+TEST_CASE("an exception in a block reaches the caller") {
+    CHECK_THROWS_AS(parallel_blocks(100, 1,
+                                    [](std::size_t begin, std::size_t) {
+                                        if (begin == 50)
+                                            throw std::runtime_error("block 50");
+                                    }),
+                    std::runtime_error);
+}
+
+TEST_CASE("both tasks run") {
+    std::atomic<int> done = 0;
+    parallel_invoke([&] { done += 1; }, [&] { done += 2; });
+    CHECK(done == 3);
+}

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/shapes.hpp>
+
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include <doctest/doctest.h>
+#include <wm3d/mesh.hpp>
+
+using namespace wm3d;
+
+namespace {
+
+struct Topology {
+    long euler = 0;
+    std::size_t boundary_edges = 0;
+    bool oriented = true;
+};
+
+/// Euler characteristic, boundary edges, and whether each edge is walked at most once in each direction.
+Topology topology(const TriangleMesh& mesh) {
+    std::map<std::pair<Index, Index>, int> half_edges;
+    for (const Triangle& t : mesh.triangles)
+        for (int k = 0; k < 3; ++k)
+            ++half_edges[{t[k], t[(k + 1) % 3]}];
+    Topology result;
+    std::size_t edges = 0;
+    for (const auto& [edge, count] : half_edges) {
+        result.oriented = result.oriented && count == 1;
+        const bool twin = half_edges.contains({edge.second, edge.first});
+        result.boundary_edges += !twin;
+        edges += !twin || edge.first < edge.second;
+    }
+    result.euler = static_cast<long>(mesh.positions.size() + mesh.triangles.size()) - static_cast<long>(edges);
+    return result;
+}
+
+double volume(const TriangleMesh& mesh) {
+    double sum = 0;
+    for (const Triangle& t : mesh.triangles)
+        sum += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6;
+    return sum;
+}
+
+} // namespace
+
+TEST_CASE("closed shapes are closed, oriented outwards and have their genus") {
+    const std::vector<std::pair<TriangleMesh, long>> shapes_and_euler{{shapes::box({1, 2, 3}, 4), 2},
+                                                                      {shapes::sphere(2, 9), 2},
+                                                                      {shapes::ellipsoid({3, 2, 1}, 7), 2},
+                                                                      {shapes::torus(3, 1, 12, 8), 0},
+                                                                      {shapes::blob(3000, 7), 2}};
+    for (const auto& [mesh, euler] : shapes_and_euler) {
+        const Topology t = topology(mesh);
+        CHECK(t.euler == euler);
+        CHECK(t.boundary_edges == 0);
+        CHECK(t.oriented);
+        CHECK(volume(mesh) > 0);
+    }
+}
+
+TEST_CASE("a square has one boundary loop and its area") {
+    const TriangleMesh mesh = shapes::square(2.0, 5);
+    CHECK(topology(mesh).euler == 1);
+    CHECK(topology(mesh).boundary_edges == 20);
+    CHECK(surface_area(mesh) == doctest::Approx(4.0).epsilon(1e-14));
+}
+
+TEST_CASE("areas approach the formula as the mesh gets finer") {
+    CHECK(surface_area(shapes::sphere(1, 200)) == doctest::Approx(4 * std::numbers::pi).epsilon(1e-3));
+    CHECK(surface_area(shapes::torus(2, 0.5, 400, 200)) ==
+          doctest::Approx(4 * std::numbers::pi * std::numbers::pi).epsilon(1e-3));
+    CHECK(surface_area(shapes::box({1, 2, 3}, 3)) == doctest::Approx(22.0).epsilon(1e-14));
+}
+
+TEST_CASE("a blob repeats with its seed and changes with it") {
+    CHECK(shapes::blob(500, 1).positions == shapes::blob(500, 1).positions);
+    CHECK(shapes::blob(500, 1).positions != shapes::blob(500, 2).positions);
+}
