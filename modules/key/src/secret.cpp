@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/key/secret.hpp>
+
+#include <algorithm>
+
+#include <sodium.h>
+
+#include <wm3d/mesh/error.hpp>
+
+#include "sodium.hpp"
+
+namespace wm3d::key {
+
+void start_sodium() {
+    static const bool started = sodium_init() >= 0;
+    if (!started)
+        throw Error("libsodium can't be started, so no key can be used; check the system's random generator");
+}
+
+void blake2b(std::span<std::uint8_t> out, std::span<const std::uint8_t> message,
+             std::span<const std::uint8_t> key) {
+    start_sodium();
+    crypto_generichash(out.data(), out.size(), message.data(), message.size(), key.data(), key.size());
+}
+
+std::string to_hex(std::span<const std::uint8_t> bytes) {
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += "0123456789abcdef"[byte >> 4];
+        text += "0123456789abcdef"[byte & 15];
+    }
+    return text;
+}
+
+std::array<std::uint8_t, 8> little_endian(std::uint64_t number) {
+    std::array<std::uint8_t, 8> bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i)
+        bytes[i] = static_cast<std::uint8_t>(number >> (8 * i));
+    return bytes;
+}
+
+void wipe(std::string& text) {
+    sodium_memzero(text.data(), text.size());
+    text.clear();
+}
+
+Secret::Secret(std::span<const std::uint8_t, size> bytes) {
+    std::ranges::copy(bytes, bytes_.begin());
+}
+
+Secret::~Secret() {
+    sodium_memzero(bytes_.data(), bytes_.size());
+}
+
+Secret Secret::random() {
+    start_sodium();
+    std::array<std::uint8_t, size> bytes;
+    randombytes_buf(bytes.data(), bytes.size());
+    const Secret secret(bytes);
+    sodium_memzero(bytes.data(), bytes.size());
+    return secret;
+}
+
+bool operator==(const Secret& a, const Secret& b) {
+    return sodium_memcmp(a.bytes_.data(), b.bytes_.data(), Secret::size) == 0;
+}
+
+Secret null_secret(std::uint64_t seed, std::uint64_t number) {
+    std::string message = "wm3d/1 null secret";
+    for (const std::uint64_t part : {seed, number})
+        for (const std::uint8_t byte : little_endian(part))
+            message += static_cast<char>(byte);
+    std::array<std::uint8_t, Secret::size> bytes;
+    blake2b(bytes, bytes_of(message), {});
+    return Secret(bytes);
+}
+
+std::string fingerprint(const Secret& secret) {
+    // BLAKE2b digests below 16 bytes are not offered, so this is the head of a longer one.
+    std::array<std::uint8_t, 16> digest;
+    blake2b(digest, bytes_of("wm3d/1 fingerprint"), secret.bytes());
+    return to_hex(std::span(digest).first(8));
+}
+
+std::string commitment(const Secret& secret) {
+    std::array<std::uint8_t, 32> digest;
+    blake2b(digest, bytes_of("wm3d/1 commitment"), secret.bytes());
+    return to_hex(digest);
+}
+
+} // namespace wm3d::key
