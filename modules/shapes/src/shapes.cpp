@@ -7,6 +7,8 @@
 
 #include <wm3d/mesh/weld.hpp>
 
+#include "noise.hpp"
+
 namespace wm3d::shapes {
 
 namespace {
@@ -23,15 +25,6 @@ Vec3 spherical(std::size_t i, std::size_t j, std::size_t rings) {
     const double theta = pi * static_cast<double>(i) / static_cast<double>(rings);
     const double phi = pi * static_cast<double>(j) / static_cast<double>(rings);
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
-/// SplitMix64 to [-1, 1): shapes need repeatable variety, not secrecy.
-double signed_unit(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
 }
 
 } // namespace
@@ -51,7 +44,9 @@ TriangleMesh box(const Vec3& size, std::size_t n) {
                     p[v] = size[v] * static_cast<double>(j) / static_cast<double>(n);
                     positions.push_back(p);
                 }
-            const auto at = [&](std::size_t i, std::size_t j) { return base + static_cast<Index>(i * (n + 1) + j); };
+            const auto at = [&](std::size_t i, std::size_t j) {
+                return base + static_cast<Index>(i * (n + 1) + j);
+            };
             for (std::size_t i = 0; i < n; ++i)
                 for (std::size_t j = 0; j < n; ++j) {
                     if (side == 1)

@@ -1,49 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/shapes.hpp>
 
-#include <map>
 #include <numbers>
 #include <utility>
 
 #include <doctest/doctest.h>
 #include <wm3d/mesh.hpp>
 
+#include "topology.hpp"
+
 using namespace wm3d;
-
-namespace {
-
-struct Topology {
-    long euler = 0;
-    std::size_t boundary_edges = 0;
-    bool oriented = true;
-};
-
-/// Euler characteristic, boundary edges, and whether each edge is walked at most once in each direction.
-Topology topology(const TriangleMesh& mesh) {
-    std::map<std::pair<Index, Index>, int> half_edges;
-    for (const Triangle& t : mesh.triangles)
-        for (int k = 0; k < 3; ++k)
-            ++half_edges[{t[k], t[(k + 1) % 3]}];
-    Topology result;
-    std::size_t edges = 0;
-    for (const auto& [edge, count] : half_edges) {
-        result.oriented = result.oriented && count == 1;
-        const bool twin = half_edges.contains({edge.second, edge.first});
-        result.boundary_edges += !twin;
-        edges += !twin || edge.first < edge.second;
-    }
-    result.euler = static_cast<long>(mesh.positions.size() + mesh.triangles.size()) - static_cast<long>(edges);
-    return result;
-}
-
-double volume(const TriangleMesh& mesh) {
-    double sum = 0;
-    for (const Triangle& t : mesh.triangles)
-        sum += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6;
-    return sum;
-}
-
-} // namespace
+using shapes::topology, shapes::Topology, shapes::volume;
 
 TEST_CASE("closed shapes are closed, oriented outwards and have their genus") {
     const std::vector<std::pair<TriangleMesh, long>> shapes_and_euler{{shapes::box({1, 2, 3}, 4), 2},
