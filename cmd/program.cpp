@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "program.hpp"
+
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/parallel.hpp>
+
+#include "commands.hpp"
+#include "support/external.hpp"
+#include "support/output.hpp"
+#include "support/streams.hpp"
+#include "support/suggest.hpp"
+#include "support/usage.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+int complain(std::string_view who, std::string_view sentence) {
+    const bool colour = wants_colour(STDERR_FILENO);
+    write_message(fmt::format("{}: {}error:{} {}\n", who, colour ? "\033[1;31m" : "", colour ? "\033[0m" : "",
+                              sentence));
+    return exit_error;
+}
+
+std::string overview() {
+    std::string text =
+        "wm3d hides an owner's mark in the geometry of a 3D mesh, and later tells from a copy\n"
+        "and the owner's key alone whether the mark is there.\n\n"
+        "Usage: wm3d COMMAND [OPTIONS]\n";
+    std::string_view group;
+    for (const Command& command : commands()) {
+        if (command.group != group)
+            text += fmt::format("\n{}:\n", group = command.group);
+        text += fmt::format("  {:<10} {}\n", command.name, command.summary);
+    }
+    text += "\n'wm3d COMMAND --help' explains a command; 'wm3d --version' names the version.\n"
+            "Any other NAME runs the executable 'wm3d-NAME' from PATH.\n";
+    return text;
+}
+
+/// CLI11's complaint as a sentence that goes on.
+std::string as_clause(std::string text) {
+    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+    for (std::size_t at; (at = text.find('\n')) != std::string::npos;)
+        text.replace(at, 1, " ");
+    return text;
+}
+
+int run_command(const Command& command, std::span<char* const> arguments) {
+    const std::string name = fmt::format("wm3d {}", command.name);
+    CLI::App app{std::string(command.summary), name};
+    app.get_formatter()->column_width(32);
+    app.set_help_flag("-h,--help", "Print this help and exit")->group("Output");
+    const Action action = command.declare(app);
+    OutputOptions options;
+    add_output_options(app, options);
+    try {
+        // CLI11 takes the arguments last first.
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::CallForHelp&) {
+        write_all(STDOUT_FILENO, app.help());
+        return exit_done;
+    } catch (const CLI::ParseError& error) {
+        return complain(name, fmt::format("{}; see '{} --help'.", as_clause(error.what()), name));
+    }
+    const ThreadLimit limit(options.threads);
+    Output output(std::string(command.name), options);
+    return action(output);
+}
+
+int unknown_command(std::string_view name) {
+    if (name.starts_with('-'))
+        return complain("wm3d", fmt::format("'{}' is not an option; see 'wm3d --help'.", name));
+    std::vector<std::string_view> names;
+    for (const Command& command : commands())
+        names.push_back(command.name);
+    if (const auto near = nearest_name(name, names))
+        return complain("wm3d", fmt::format("'{}' is not a command; did you mean '{}'?", name, *near));
+    return complain("wm3d", fmt::format("'{}' is neither a command nor an executable 'wm3d-{}' on PATH; "
+                                        "see 'wm3d --help'.",
+                                        name, name));
+}
+
+int dispatch(std::span<char* const> arguments) {
+    if (arguments.size() < 2) {
+        write_message(overview());
+        return exit_error;
+    }
+    std::string_view name = arguments[1];
+    std::span<char* const> rest = arguments.subspan(2);
+    char help_flag[] = "--help";
+    char* const help_arguments[] = {help_flag};
+    if (name == "help" && !rest.empty()) { // wm3d help NAME is wm3d NAME --help
+        name = rest[0];
+        rest = help_arguments;
+    }
+    if (name == "--help" || name == "-h" || name == "help") {
+        write_all(STDOUT_FILENO, overview());
+        return exit_done;
+    }
+    if (name == "--version" || name == "-V") {
+        write_all(STDOUT_FILENO, fmt::format("wm3d {}\n", WM3D_VERSION));
+        return exit_done;
+    }
+    if (const Command* command = find_command(name))
+        return run_command(*command, rest);
+    const char* path = std::getenv("PATH");
+    if (const auto executable = find_external(name, path != nullptr ? path : ""))
+        run_external(*executable, rest);
+    return unknown_command(name);
+}
+
+} // namespace
+
+int run_program(std::span<char* const> arguments) {
+    prepare_standard_streams();
+    const std::string who = arguments.size() > 1 && find_command(arguments[1]) != nullptr
+                                ? fmt::format("wm3d {}", arguments[1])
+                                : std::string("wm3d");
+    try {
+        return dispatch(arguments);
+    } catch (const ClosedPipe&) {
+        return exit_error;
+    } catch (const Error& error) {
+        return complain(who, error.what());
+    } catch (const std::bad_alloc&) {
+        return complain(who, "there is not enough memory for this input; try a smaller mesh.");
+    } catch (const std::exception& error) {
+        return complain(who, fmt::format("internal error, please report it: {}", error.what()));
+    }
+}
+
+} // namespace wm3d::cmd

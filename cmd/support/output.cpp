@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/output.hpp"
+
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "support/streams.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+bool dumb_terminal() {
+    const char* term = std::getenv("TERM");
+    return term == nullptr || std::string_view(term) == "dumb";
+}
+
+std::string_view colour_of(Tone tone) {
+    switch (tone) {
+    case Tone::good:
+        return "\033[1;32m";
+    case Tone::bad:
+        return "\033[1;31m";
+    case Tone::warning:
+        return "\033[1;33m";
+    case Tone::plain:
+        break;
+    }
+    return "";
+}
+
+} // namespace
+
+bool wants_colour(int descriptor) {
+    const char* no_color = std::getenv("NO_COLOR");
+    return ::isatty(descriptor) == 1 && !dumb_terminal() && (no_color == nullptr || *no_color == '\0');
+}
+
+Output::Output(std::string command, const OutputOptions& options)
+    : command_(std::move(command)), options_(options) {}
+
+void Output::say(std::string_view sentence) {
+    if (!options_.quiet)
+        tell(sentence);
+}
+
+void Output::detail(std::string_view sentence) {
+    if (options_.verbose && !options_.quiet)
+        tell(sentence);
+}
+
+void Output::warn(std::string_view sentence) {
+    tell(fmt::format("warning: {}", sentence));
+}
+
+void Output::tell(std::string_view line) {
+    line_.clear();
+    write_message(fmt::format("{}\n", line));
+}
+
+void Output::print(std::string_view text) {
+    if (!options_.json)
+        write_bytes(text);
+}
+
+void Output::print_json(const nlohmann::ordered_json& result, int version) {
+    if (!options_.json)
+        return;
+    nlohmann::ordered_json object;
+    object["schema"] = fmt::format("wm3d.{}/{}", command_, version);
+    object.update(result);
+    write_bytes(object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+void Output::write_bytes(std::string_view bytes) {
+    line_.clear();
+    write_all(STDOUT_FILENO, bytes);
+}
+
+std::string Output::toned(std::string_view text, Tone tone) const {
+    if (tone == Tone::plain || !wants_colour(STDOUT_FILENO))
+        return std::string(text);
+    return fmt::format("{}{}\033[0m", colour_of(tone), text);
+}
+
+Progress Output::progress() {
+    if (options_.quiet || dumb_terminal() || ::isatty(STDERR_FILENO) != 1)
+        return {};
+    return [this](std::string_view stage, double done) { line_.update(stage, done); };
+}
+
+} // namespace wm3d::cmd
