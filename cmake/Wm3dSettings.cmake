@@ -8,7 +8,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 target_compile_options(wm3d_settings INTERFACE -ffp-contract=off)
 
 target_compile_options(wm3d_settings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual -Wnull-dereference
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>)
 if(WM3D_WERROR)
     target_compile_options(wm3d_settings INTERFACE -Werror)
