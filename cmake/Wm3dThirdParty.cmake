@@ -36,9 +36,27 @@ wm3d_third_party(sodium LINK PkgConfig::SODIUM)
 
 pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 wm3d_third_party(tinyobjloader LINK PkgConfig::TINYOBJ)
+target_compile_definitions(wm3d_third_tinyobjloader INTERFACE TINYOBJLOADER_USE_DOUBLE)
 
 find_package(Boost 1.74 REQUIRED)
 wm3d_third_party(boost LINK Boost::headers)
+
+if("attack" IN_LIST WM3D_MODULES OR "metrics" IN_LIST WM3D_MODULES)
+    find_package(OpenMesh REQUIRED)
+    wm3d_third_party(openmesh LINK OpenMeshTools OpenMeshCore)
+    set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+    find_package(CGAL 5.5 REQUIRED)
+    wm3d_third_party(cgal LINK CGAL::CGAL)
+    # g++ 12 suspects null pointers in inlined code of CGAL and Boost, and SYSTEM doesn't silence the optimizer.
+    target_compile_options(wm3d_third_cgal INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-null-dereference>)
+    # Optional: OpenVDB's own find module asks for more than its headers need.
+    find_path(OPENVDB_INCLUDE_DIR openvdb/openvdb.h)
+    find_library(OPENVDB_LIBRARY openvdb)
+    if(OPENVDB_INCLUDE_DIR AND OPENVDB_LIBRARY)
+        wm3d_third_party(openvdb LINK ${OPENVDB_LIBRARY} TBB::tbb)
+        target_include_directories(wm3d_third_openvdb SYSTEM INTERFACE ${OPENVDB_INCLUDE_DIR})
+    endif()
+endif()
 
 if(WM3D_COMMANDS)
     find_package(CLI11 REQUIRED)
