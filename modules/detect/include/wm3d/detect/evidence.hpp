@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  The whitened detector: from a suspect's base mesh, before any key is looked at, to linear statistics.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <wm3d/detect/linear_statistic.hpp>
+#include <wm3d/detect/surface_filter.hpp>
+#include <wm3d/mesh/triangle_mesh.hpp>
+#include <wm3d/sphere/sparse_rows.hpp>
+
+namespace wm3d::detect {
+
+/// One high pass with one weighting of the residual.
+struct Filter {
+    double t;     ///< time of the diffusion that is taken away, in units of mean radius squared
+    double power; ///< the residual counts as (local variance)^-power: 0 plain, 1 as on a host of varying roughness
+};
+
+struct EvidenceOptions {
+    /// The bank. The best of its statistics decides and all of them are paid for; docs/detector.md says how these
+    /// were chosen.
+    std::vector<Filter> filters{{3e-5, 1.0}, {2e-4, 0.5}, {1e-3, 0.5}};
+    /// Time of the diffusion that averages the local variance.
+    double variance_t = 3e-3;
+    /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
+    double variance_floor = 0.05;
+};
+
+/// What a suspect's base mesh says, seen through each filter of the bank. Depends on the suspect alone, so
+/// nothing here costs a hypothesis.
+class Evidence {
+public:
+    /// \param base  base mesh in a canonical frame (centred, mean radius 1); rotations don't matter
+    explicit Evidence(const TriangleMesh& base, EvidenceOptions options = {});
+
+    std::size_t filters() const { return options_.filters.size(); }
+    const Filter& filter(std::size_t f) const { return options_.filters[f]; }
+
+    /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
+    std::span<const double> visibility() const { return visibility_; }
+
+    /// T = sum_j c_j w_j with c = B^T diag(d.n) HP^T (a g e): a the vertex areas, e the normal residual
+    /// n . HP x, g its weights, HP = I - (M + tL)^-1 M.
+    LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
+
+    /// Expected T, less its null mean 0, if this very mesh carried the mark of `w` with an area-weighted
+    /// root mean square normal move `move` (in units of mean radius).
+    double expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double move) const;
+
+private:
+    std::vector<double> high_pass(double t, std::span<const double> x) const;
+
+    EvidenceOptions options_;
+    SurfaceFilter surface_;
+    std::vector<double> visibility_;
+    std::vector<std::vector<double>> weights_;  ///< per filter: a_i g_i
+    std::vector<std::vector<double>> template_; ///< per filter: diag(d.n) HP^T (a g e)
+};
+
+} // namespace wm3d::detect

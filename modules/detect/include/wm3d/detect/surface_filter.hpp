@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Implicit diffusion on a triangulated surface: the filters of the whitened detector.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d::detect {
+
+/// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on any
+/// triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and positive.
+/// Solves by conjugate gradients, one thread per vector, so the bytes don't depend on the number of threads.
+class SurfaceFilter {
+public:
+    explicit SurfaceFilter(const TriangleMesh& mesh);
+    ~SurfaceFilter();
+    SurfaceFilter(SurfaceFilter&&) noexcept;
+    SurfaceFilter& operator=(SurfaceFilter&&) noexcept;
+
+    /// Lumped areas, the diagonal of M: #V.
+    std::span<const double> mass() const;
+
+    /// (M + tL)^-1 M x for each of the vectors, #V each; t in units of length squared.
+    std::vector<std::vector<double>> low_pass(double t, const std::vector<std::vector<double>>& vectors) const;
+
+    /// M (M + tL)^-1 y: the transpose of `low_pass`.
+    std::vector<double> low_pass_transposed(double t, std::span<const double> y) const;
+
+private:
+    struct Operators;
+    std::unique_ptr<Operators> operators_;
+};
+
+} // namespace wm3d::detect

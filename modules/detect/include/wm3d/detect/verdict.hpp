@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Present, absent or inconclusive.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace wm3d::detect {
+
+enum class Verdict { present, absent, inconclusive };
+
+std::string_view name(Verdict verdict);
+
+/// Predicted probability, by a normal approximation, that a mark with this expected score is missed.
+/// \param sigmas      expected score of the best hypothesis, in standard deviations of its null distribution
+/// \param log10_pf    log10 of the false-positive probability of the verdict
+/// \param hypotheses  number of hypotheses that share it
+double predicted_miss(double sigmas, double log10_pf, std::size_t hypotheses);
+
+/// Present if log10_p <= log10_pf. Otherwise absent, if a mark would be missed with at most this probability, and
+/// inconclusive if not: then the suspect can't tell.
+Verdict decide(double log10_p, double log10_pf, double predicted_miss, double tolerated_miss = 0.01);
+
+} // namespace wm3d::detect

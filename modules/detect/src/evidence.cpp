@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/detect/evidence.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <wm3d/mesh/measure.hpp>
+
+namespace wm3d::detect {
+
+namespace {
+
+std::vector<std::vector<double>> coordinates(const TriangleMesh& mesh) {
+    std::vector<std::vector<double>> x(3, std::vector<double>(mesh.positions.size()));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            x[k][i] = mesh.positions[i][k];
+    return x;
+}
+
+/// e_i = n_i . (x_i - (low pass of x)_i)
+std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                                    const std::vector<std::vector<double>>& smooth) {
+    std::vector<double> e(mesh.positions.size());
+    for (std::size_t i = 0; i < e.size(); ++i)
+        e[i] = normals[i].dot(mesh.positions[i] - Vec3(smooth[0][i], smooth[1][i], smooth[2][i]));
+    return e;
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// Weights (local variance)^-power of the residual, scaled so that their median is about 1.
+std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<const double> e, double power,
+                                     const EvidenceOptions& options) {
+    std::vector<double> g(e.size(), 1.0);
+    if (power == 0 || e.empty())
+        return g;
+    std::vector<double> squares(e.size());
+    std::transform(e.begin(), e.end(), squares.begin(), [](double x) { return x * x; });
+    const std::vector<double> variance = surface.low_pass(options.variance_t, {std::move(squares)}).front();
+    const double typical = median(variance);
+    if (!(typical > 0)) // a polyhedron of flat sides: nothing to tell rough from smooth
+        return g;
+    for (std::size_t i = 0; i < g.size(); ++i)
+        g[i] = std::pow(std::max(variance[i], 0.0) / typical + options.variance_floor, -power);
+    return g;
+}
+
+} // namespace
+
+Evidence::Evidence(const TriangleMesh& base, EvidenceOptions options)
+    : options_(std::move(options)), surface_(base), visibility_(base.positions.size()) {
+    const std::vector<Vec3> normals = vertex_normals(base);
+    for (std::size_t i = 0; i < visibility_.size(); ++i)
+        visibility_[i] = normals[i].dot(base.positions[i].normalized());
+    const std::vector<std::vector<double>> x = coordinates(base);
+    const std::span<const double> area = surface_.mass();
+    for (const Filter& filter : options_.filters) {
+        const std::vector<double> e = normal_residual(base, normals, surface_.low_pass(filter.t, x));
+        std::vector<double> weight = residual_weights(surface_, e, filter.power, options_);
+        std::vector<double> y(e.size());
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            weight[i] *= area[i];
+            y[i] = weight[i] * e[i];
+        }
+        const std::vector<double> low = surface_.low_pass_transposed(filter.t, y);
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = visibility_[i] * (y[i] - low[i]);
+        weights_.push_back(std::move(weight));
+        template_.push_back(std::move(y));
+    }
+}
+
+LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {
+    return {sphere::multiply_transposed(rows, template_[f]), rmax};
+}
+
+double Evidence::expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double move) const {
+    std::vector<double> q = sphere::multiply(rows, w);
+    const std::span<const double> area = surface_.mass();
+    double squares = 0, total = 0;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        q[i] *= visibility_[i];
+        squares += area[i] * q[i] * q[i];
+        total += area[i];
+    }
+    if (!(squares > 0))
+        return 0;
+    const double gamma = move / std::sqrt(squares / total);
+    // With e increased by gamma HP q, T grows by gamma (HP q)^T diag(a g) (HP q).
+    const std::vector<double> h = high_pass(options_.filters[f].t, q);
+    double shift = 0;
+    for (std::size_t i = 0; i < h.size(); ++i)
+        shift += weights_[f][i] * h[i] * h[i];
+    return gamma * shift;
+}
+
+std::vector<double> Evidence::high_pass(double t, std::span<const double> x) const {
+    std::vector<double> h(x.begin(), x.end());
+    const std::vector<double> low = surface_.low_pass(t, {h}).front();
+    for (std::size_t i = 0; i < h.size(); ++i)
+        h[i] -= low[i];
+    return h;
+}
+
+} // namespace wm3d::detect

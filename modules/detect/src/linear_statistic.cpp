@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/detect/linear_statistic.hpp>
+
+#include <cmath>
+
+namespace wm3d::detect {
+
+namespace {
+
+/// Terms of K, K' and K'' for x = s a: log(sinh x / x), coth x - 1/x, 1/x^2 - 1/sinh^2 x.
+Cumulants uniform_cumulants(double x) {
+    const double x2 = x * x;
+    if (std::abs(x) < 0.1) { // series: the closed forms cancel here
+        return {x2 * (1.0 / 6 + x2 * (-1.0 / 180 + x2 * (1.0 / 2835 - x2 / 37800))),
+                x * (1.0 / 3 + x2 * (-1.0 / 45 + x2 * (2.0 / 945 - x2 / 4725))),
+                1.0 / 3 + x2 * (-1.0 / 15 + x2 * (2.0 / 189 - x2 / 675))};
+    }
+    const double a = std::abs(x);
+    const double e = std::exp(-2 * a);
+    const double sinh_e = (1 - e) / 2; // sinh(a) exp(-a)
+    const double coth = (1 + e) / (1 - e);
+    const double k1 = coth - 1 / a;
+    return {a + std::log(sinh_e / a), x < 0 ? -k1 : k1, 1 / x2 - e / (sinh_e * sinh_e)};
+}
+
+} // namespace
+
+LinearStatistic::LinearStatistic(std::vector<double> coefficients, double rmax)
+    : coefficients_(std::move(coefficients)), rmax_(rmax) {
+    double squares = 0;
+    for (double c : coefficients_) {
+        squares += c * c;
+        maximum_ += rmax_ * std::abs(c);
+    }
+    sigma_ = rmax_ * std::sqrt(squares / 3);
+}
+
+double LinearStatistic::value(std::span<const double> w) const {
+    double t = 0;
+    for (std::size_t j = 0; j < coefficients_.size(); ++j)
+        t += coefficients_[j] * w[j];
+    return t;
+}
+
+Cumulants cumulants(const LinearStatistic& statistic, double s) {
+    Cumulants sum;
+    for (double c : statistic.coefficients()) {
+        const double a = statistic.rmax() * c;
+        const Cumulants term = uniform_cumulants(s * a);
+        sum.k0 += term.k0;
+        sum.k1 += a * term.k1;
+        sum.k2 += a * a * term.k2;
+    }
+    return sum;
+}
+
+} // namespace wm3d::detect

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// This work is based on R. Lugannani and S. Rice, "Saddle point approximation for the distribution of the sum of
+// independent random variables" (Adv. Appl. Prob. 12, 1980), and on the Bromwich integral it starts from.
+#include <wm3d/detect/tail.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include <boost/math/special_functions/erf.hpp>
+
+namespace wm3d::detect {
+
+namespace {
+
+constexpr double ln10 = std::numbers::ln10;
+constexpr double minus_infinity = -std::numeric_limits<double>::infinity();
+
+/// Root s > 0 of K'(s) = t for 0 < t < maximum. K' is concave for s > 0, so Newton's steps from 0 never overshoot.
+double saddlepoint(const LinearStatistic& statistic, double t) {
+    double s = t / (statistic.sigma() * statistic.sigma());
+    for (int step = 0; step < 200; ++step) {
+        const Cumulants k = cumulants(statistic, s);
+        const double next = s + (t - k.k1) / k.k2;
+        if (!(next > s * (1 + 1e-13)) || !std::isfinite(next))
+            break;
+        s = next;
+    }
+    return s;
+}
+
+/// log of the standard normal's upper tail.
+double log_normal_tail(double z) {
+    if (z < 25)
+        return std::log(std::erfc(z / std::numbers::sqrt2) / 2);
+    const double u = 1 / (z * z);
+    return -z * z / 2 - std::log(z * std::sqrt(2 * std::numbers::pi)) + std::log1p(u * (-1 + u * (3 - 15 * u)));
+}
+
+/// log of Lugannani and Rice's approximation, t > 0.
+double saddlepoint_log_tail(const LinearStatistic& statistic, double t) {
+    const double s = saddlepoint(statistic, t);
+    const Cumulants k = cumulants(statistic, s);
+    const double exponent = std::max(s * t - k.k0, 0.0);
+    const double r = std::sqrt(2 * exponent); // signed root
+    const double u = s * std::sqrt(k.k2);
+    if (r < 1e-3) // next to the mean the two terms cancel
+        return log_normal_tail(t / statistic.sigma());
+    // Q(r) + phi(r) (1/u - 1/r), with phi(r) taken out so that nothing underflows
+    const double log_phi = -exponent - 0.5 * std::log(2 * std::numbers::pi);
+    const double mills = std::exp(log_normal_tail(r) - log_phi);
+    return log_phi + std::log(mills + 1 / u - 1 / r);
+}
+
+/// Ratio exp(K(s + iy) - K(s)) as a product of the factors sinh(x_j)/x_j.
+class ShiftedCharacteristic {
+public:
+    ShiftedCharacteristic(const LinearStatistic& statistic, double s) : s_(s) {
+        for (double c : statistic.coefficients()) {
+            const double a = statistic.rmax() * std::abs(c);
+            if (a * s < 1e-9 && a < 1e-12 * statistic.sigma())
+                continue; // its factor is 1 to double precision
+            scale_.push_back(a);
+            coth_.push_back(1 / std::tanh(a * s));
+        }
+    }
+
+    std::complex<double> operator()(double y) const {
+        const std::complex<double> inverse = 1.0 / std::complex<double>(1, y / s_);
+        double re = 1, im = 0;
+        for (std::size_t j = 0; j < scale_.size(); ++j) {
+            // sinh(u + iv) / sinh u * u / (u + iv), u = a s, v = a y
+            const double v = scale_[j] * y;
+            const double x = std::cos(v), w = std::sin(v) * coth_[j];
+            const double fx = x * inverse.real() - w * inverse.imag();
+            const double fw = x * inverse.imag() + w * inverse.real();
+            const double next = re * fx - im * fw;
+            im = re * fw + im * fx;
+            re = next;
+        }
+        return {re, im};
+    }
+
+private:
+    double s_;
+    std::vector<double> scale_, coth_;
+};
+
+struct Integral {
+    double value = 0;
+    double relative_error = std::numeric_limits<double>::infinity();
+};
+
+/// Integral over y > 0 of Re[exp(K(s + iy) - K(s) - iyt) / (s + iy)] with step h, compared with step 2h.
+Integral bromwich(const ShiftedCharacteristic& ratio, double s, double t, double h) {
+    constexpr int most = 400, quiet_run = 4;
+    const auto integrand = [&](double y) {
+        const std::complex<double> value = ratio(y) * std::polar(1.0, -y * t) / std::complex<double>(s, y);
+        return std::pair{value.real(), std::abs(value)};
+    };
+    double fine = 0.5 / s, coarse = fine;
+    int quiet = 0, k = 1;
+    for (; k < most && quiet < quiet_run; ++k) {
+        const auto [term, size] = integrand(k * h);
+        fine += term;
+        if (k % 2 == 0)
+            coarse += term;
+        quiet = size < 1e-17 * std::abs(fine) ? quiet + 1 : 0;
+    }
+    Integral integral;
+    integral.value = fine * h;
+    if (quiet == quiet_run && fine > 0)
+        integral.relative_error = std::abs(fine - 2 * coarse) / fine;
+    return integral;
+}
+
+} // namespace
+
+Tail exact_tail(const LinearStatistic& statistic, double t) {
+    if (!(statistic.sigma() > 0))
+        return {t > 0 ? minus_infinity : 0.0, 0, false};
+    if (t < 0) { // T is symmetric
+        const Tail other = exact_tail(statistic, -t);
+        const double p = std::pow(10.0, other.log10_p);
+        return {std::log1p(-p) / ln10, other.relative_error * p / (1 - p), false};
+    }
+    if (t > statistic.maximum())
+        return {minus_infinity, 0, false};
+    const double sigma = statistic.sigma();
+    // The line may pass right of the saddlepoint: near the mean this keeps it away from the pole at 0.
+    const double s = std::max(t > 0 ? saddlepoint(statistic, t) : 0.0, 1 / sigma);
+    const Cumulants k = cumulants(statistic, s);
+    // The step resolves the integrand's width at the saddlepoint and the distance to the pole.
+    const double h = std::min(0.25 / std::sqrt(k.k2), s / 8);
+    const Integral integral = bromwich(ShiftedCharacteristic(statistic, s), s, t, h);
+    if (!(integral.relative_error < 1e-6))
+        return {chernoff_log10_bound(statistic, t), integral.relative_error, true};
+    const double log_p = k.k0 - s * t + std::log(integral.value / std::numbers::pi);
+    return {std::min(log_p / ln10, 0.0), integral.relative_error, false};
+}
+
+double saddlepoint_log10_tail(const LinearStatistic& statistic, double t) {
+    if (!(statistic.sigma() > 0))
+        return t > 0 ? minus_infinity : 0.0;
+    if (t >= statistic.maximum())
+        return minus_infinity;
+    if (t > 0)
+        return saddlepoint_log_tail(statistic, t) / ln10;
+    if (t == 0)
+        return std::log10(0.5);
+    if (-t >= statistic.maximum())
+        return 0;
+    return std::log1p(-std::exp(saddlepoint_log_tail(statistic, -t))) / ln10;
+}
+
+double chernoff_log10_bound(const LinearStatistic& statistic, double t) {
+    if (!(t > 0))
+        return 0;
+    if (!(statistic.sigma() > 0) || t > statistic.maximum())
+        return minus_infinity;
+    const double s = saddlepoint(statistic, t);
+    return (cumulants(statistic, s).k0 - s * t) / ln10;
+}
+
+double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
+    // In units of normal quantiles the tail is almost a straight line, so steps of slope 1/sigma contract.
+    const auto normal_quantile = [](double log10_p) {
+        return std::numbers::sqrt2 * boost::math::erfc_inv(2 * std::pow(10.0, log10_p));
+    };
+    const double target = normal_quantile(log10_pf), sigma = statistic.sigma();
+    double t = std::min(sigma * target, 0.999 * statistic.maximum());
+    for (int step = 0; step < 100; ++step) {
+        const double log10_p = saddlepoint_log10_tail(statistic, t);
+        if (std::abs(log10_p - log10_pf) < 1e-9 || log10_p < -300)
+            break;
+        t = std::min(t + sigma * (target - normal_quantile(log10_p)), 0.5 * (t + statistic.maximum()));
+    }
+    return t;
+}
+
+} // namespace wm3d::detect

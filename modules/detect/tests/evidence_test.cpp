@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/detect/evidence.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include <wm3d/detect/tail.hpp>
+#include <wm3d/mesh/frame.hpp>
+#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/shapes.hpp>
+#include <wm3d/sphere/icosphere.hpp>
+
+using namespace wm3d;
+using namespace wm3d::detect;
+
+namespace {
+
+constexpr unsigned level = 4;
+constexpr double rmax = 0.1;
+
+TriangleMesh canonical_blob() {
+    const TriangleMesh mesh = shapes::blob(8000, 21);
+    return to_frame(mesh, canonical_frame(mesh));
+}
+
+sphere::SparseRows rows_of(const TriangleMesh& mesh) {
+    return sphere::barycentric_rows(sphere::Icosphere(level), mesh.positions);
+}
+
+std::vector<double> sequence(std::uint64_t seed) {
+    std::vector<double> w(10 * (std::size_t{1} << (2 * level)) + 2);
+    for (double& x : w) {
+        seed = seed * 6364136223846793005u + 1442695040888963407u;
+        x = rmax * (static_cast<double>(seed >> 11) * 0x1p-52 - 1);
+    }
+    return w;
+}
+
+TriangleMesh marked(TriangleMesh mesh, const sphere::SparseRows& rows, std::span<const double> w, double gamma) {
+    const std::vector<double> delta = sphere::multiply(rows, w);
+    for (std::size_t i = 0; i < delta.size(); ++i)
+        mesh.positions[i] *= 1 + gamma * delta[i] / mesh.positions[i].norm();
+    return mesh;
+}
+
+} // namespace
+
+TEST_CASE("a mark raises the score of its own key by about what was predicted, and of no other") {
+    const TriangleMesh host = canonical_blob();
+    const sphere::SparseRows rows = rows_of(host);
+    const std::vector<double> w = sequence(5), other = sequence(6);
+    const Evidence clean(host);
+    // The move along the normals of gamma = 0.02, to ask for the prediction.
+    const std::vector<double> delta = sphere::multiply(rows, w);
+    double squares = 0;
+    const std::vector<double> area(vertex_areas(host));
+    double total = 0;
+    for (std::size_t i = 0; i < delta.size(); ++i) {
+        squares += area[i] * std::pow(0.02 * delta[i] * clean.visibility()[i], 2);
+        total += area[i];
+    }
+    const TriangleMesh suspect = marked(host, rows, w, 0.02);
+    const Evidence found(suspect);
+    for (std::size_t f = 0; f < found.filters(); ++f) {
+        CAPTURE(f);
+        const LinearStatistic before = clean.statistic(f, rows, rmax), after = found.statistic(f, rows, rmax);
+        CHECK(std::abs(before.value(w)) < 5 * before.sigma());
+        CHECK(after.value(w) > 8 * after.sigma());
+        CHECK(std::abs(after.value(other)) < 5 * after.sigma());
+        CHECK(exact_tail(after, after.value(w)).log10_p < -12);
+        const double predicted = clean.expected_shift(f, rows, w, std::sqrt(squares / total)) / before.sigma();
+        CHECK(predicted > 8);
+        if (found.filter(f).power == 0) // weights change with the mark
+            CHECK(after.value(w) - before.value(w) == doctest::Approx(predicted * before.sigma()).epsilon(0.1));
+    }
+}
+
+TEST_CASE("turning the mesh and the directions together changes nothing") {
+    const TriangleMesh host = canonical_blob();
+    TriangleMesh turned = host;
+    const Mat3 turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (Vec3& p : turned.positions)
+        p = turn * p;
+    const sphere::SparseRows rows = rows_of(host);
+    const LinearStatistic a = Evidence(host).statistic(1, rows, rmax), b = Evidence(turned).statistic(1, rows, rmax);
+    const std::vector<double> w = sequence(8);
+    CHECK(a.value(w) / a.sigma() == doctest::Approx(b.value(w) / b.sigma()).epsilon(1e-4));
+}
+
+TEST_CASE("surfaces that say little are borne: flat, tiny, degenerate") {
+    for (const TriangleMesh& mesh : {shapes::box({1, 1, 1}, 1), shapes::box({1, 2, 3}, 12), shapes::square(1, 8)}) {
+        const TriangleMesh base = to_frame(mesh, canonical_frame(mesh));
+        const Evidence evidence(base);
+        const sphere::SparseRows rows = rows_of(base);
+        for (std::size_t f = 0; f < evidence.filters(); ++f) {
+            const LinearStatistic t = evidence.statistic(f, rows, rmax);
+            CHECK(std::isfinite(t.sigma()));
+            CHECK(std::isfinite(t.value(sequence(3))));
+            CHECK(std::isfinite(evidence.expected_shift(f, rows, sequence(3), 0.001)));
+        }
+    }
+}
+
+TEST_CASE("the same bytes at one thread and at many") {
+    const TriangleMesh host = canonical_blob();
+    const sphere::SparseRows rows = rows_of(host);
+    const LinearStatistic many = Evidence(host).statistic(0, rows, rmax);
+    const ThreadLimit one(1);
+    const LinearStatistic single = Evidence(host).statistic(0, rows, rmax);
+    CHECK(std::vector<double>(many.coefficients().begin(), many.coefficients().end()) ==
+          std::vector<double>(single.coefficients().begin(), single.coefficients().end()));
+}

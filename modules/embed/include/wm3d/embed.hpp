@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Laying a mark down: eq. (3) on the base domain, detail vectors, reconstruction.
+#pragma once
+
+#include <wm3d/embed/embed.hpp>
