@@ -7,7 +7,7 @@ import unittest
 
 import check_equations
 
-HEADER = "namespace wm3d::part {\n/// Computes eq. ({0}).\ndouble f{0}(double x);\n}} // namespace wm3d::part\n"
+HEADER = "namespace wm3d::part {{\n/// Computes eq. ({0}).\ndouble f{0}(double x);\n}} // namespace wm3d::part\n"
 ENTRY = """
 [[equation]]
 id = {0}
