@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  A mesh file in memory: its surface for the analysis, and its bytes with other coordinates.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <wm3d/io/format.hpp>
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d::io {
+
+/// A file that belongs beside another, by its name in the same folder.
+struct SideFile {
+    std::string name;
+    std::string bytes;
+};
+
+/// A patched file and the files it refers to that had to change with it (external buffers of glTF).
+struct PatchedFiles {
+    std::string bytes;
+    std::vector<SideFile> side_files;
+};
+
+struct Document;
+
+/// A mesh file that was read. A *slot* is one stored vertex (a `v` line, a facet corner, a vertex of one
+/// instance of a glTF mesh); slots that coincide are one *vertex* of the analysis mesh and move together.
+class Model {
+public:
+    Model(Model&&) noexcept;
+    Model& operator=(Model&&) noexcept;
+    ~Model();
+
+    Format format() const;
+
+    /// The analysis mesh, in world coordinates of the file: coinciding positions welded, polygons
+    /// triangulated, triangles that repeat a vertex dropped, isolated vertices kept.
+    const TriangleMesh& mesh() const;
+
+    /// Vertex of every slot, #slots, in file order.
+    std::span<const Index> vertex_of_slot() const;
+
+    /// The coarsest distance between neighbouring values that a coordinate of the surface can be given in
+    /// this file, in units of the mesh. Moves well below it are lost.
+    double coordinate_step() const;
+
+    /// Positions that reading the patched file would give, #V: `wanted` rounded to what the file can hold.
+    /// Vertices that can't move without tearing a seam (see the README on instances) keep their position.
+    /// \pre  wanted.size() == #V, all finite
+    std::vector<Vec3> stored_positions(std::span<const Vec3> wanted) const;
+
+    /// The whole file with the vertices at `wanted`, #V. Bytes of coordinates that don't change and all bytes
+    /// outside coordinates stay. A changed external buffer of glTF is put inline (a `data:` URI).
+    /// \pre  wanted.size() == #V, all finite
+    std::string patched(std::span<const Vec3> wanted) const;
+
+    /// As `patched`, for writing under `output_name`: a changed external buffer becomes a side file
+    /// STEM.bin (STEM-1.bin, ... for further ones), STEM being `output_name` without folder and extension.
+    PatchedFiles patched_files(std::span<const Vec3> wanted, std::string_view output_name) const;
+
+private:
+    struct Impl;
+    explicit Model(std::unique_ptr<Impl> impl);
+    friend Model parse(std::string, Format, std::string, const std::function<std::string(std::string_view)>&);
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Bytes behind a relative URI that a glTF file names; throws InputError if there are none.
+using Resolver = std::function<std::string(std::string_view uri)>;
+
+/// Reads a mesh out of `bytes`; `name` stands for the file in messages.
+/// \throw InputError  if the bytes are no mesh of this format, or an empty one
+Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver = {});
+
+struct ReadOptions {
+    std::optional<Format> format; ///< default: by the file's extension
+};
+
+/// Reads a mesh file. External buffers of glTF are looked for below the file's folder only.
+/// \throw InputError  if the file can't be read or is no mesh of its format
+Model read(const std::filesystem::path& path, const ReadOptions& options = {});
+
+} // namespace wm3d::io

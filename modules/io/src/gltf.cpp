@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// glTF 2.0 and GLB: the triangles that the default scene shows, in world coordinates.
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "document.hpp"
+#include "gltf_accessor.hpp"
+#include "gltf_file.hpp"
+#include "gltf_scene.hpp"
+#include "gltf_store.hpp"
+#include "polygons.hpp"
+
+namespace wm3d::io {
+
+namespace {
+
+/// Instances multiply a small file; this bounds what a hostile one can make of itself.
+constexpr std::size_t most_slots = std::size_t{1} << 26;
+
+constexpr std::size_t mode_triangles = 4, mode_strip = 5, mode_fan = 6;
+
+class SceneReader {
+public:
+    explicit SceneReader(GltfFile file) : file_(std::move(file)) {}
+
+    Document run() {
+        for (const PlacedMesh& placed : gltf_placed_meshes(file_))
+            read_mesh(placed);
+        refuse_overlaps();
+        document_.store = std::make_unique<GltfStore>(std::move(file_), std::move(blocks_), std::move(instances_));
+        return std::move(document_);
+    }
+
+private:
+    /// Buffer, offset, stride, count, type and unit of an accessor.
+    using Bytes = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, Scalar, double>;
+
+    const Source& source() const { return file_.source(); }
+
+    void read_mesh(const PlacedMesh& placed) {
+        const Json& mesh = gltf_entry(source(), file_.json(), "meshes", placed.mesh);
+        std::map<std::size_t, std::size_t> first_slots; // of this node's blocks: primitives may share one
+        for (const Json& primitive : gltf_array(source(), mesh, "primitives")) {
+            if (!primitive.is_object())
+                source().fail(fmt::format("a primitive of mesh {} is no object", placed.mesh));
+            const std::size_t mode = gltf_size(source(), primitive, "mode", mode_triangles);
+            if (mode < mode_triangles || mode > mode_fan)
+                continue; // points and lines are no surface
+            const std::size_t accessor = position_accessor(primitive, placed.mesh);
+            const std::size_t block = block_of(accessor);
+            const auto [slot, is_new] = first_slots.try_emplace(block, document_.positions.size());
+            if (is_new)
+                add_instance(block, placed.placement);
+            add_triangles(primitive, mode, slot->second, blocks_[block].accessor.count);
+        }
+    }
+
+    std::size_t position_accessor(const Json& primitive, std::size_t mesh) const {
+        if (const auto extensions = primitive.find("extensions");
+            extensions != primitive.end() && extensions->contains("KHR_draco_mesh_compression"))
+            source().fail(fmt::format("mesh {} is compressed with Draco, which wm3d does not read; save the file "
+                                      "without compression",
+                                      mesh));
+        const auto attributes = primitive.find("attributes");
+        if (attributes == primitive.end() || !attributes->is_object() || !attributes->contains("POSITION"))
+            source().fail(fmt::format("a primitive of mesh {} has no positions", mesh));
+        return gltf_size(source(), *attributes, "POSITION", 0);
+    }
+
+    /// The block of an accessor; accessors that describe the same bytes share one.
+    std::size_t block_of(std::size_t accessor_number) {
+        if (const auto known = block_of_accessor_.find(accessor_number); known != block_of_accessor_.end())
+            return known->second;
+        const GltfAccessor a = gltf_position_accessor(file_, accessor_number);
+        const auto [place, is_new] =
+            block_of_bytes_.try_emplace(Bytes{a.buffer, a.offset, a.stride, a.count, a.type, a.unit}, blocks_.size());
+        const std::size_t block = place->second;
+        if (is_new) {
+            blocks_.push_back({a, {}, elements_});
+            elements_ += a.count;
+            local_.push_back(GltfStore::local_positions(file_, a));
+        }
+        blocks_[block].accessors.push_back(accessor_number);
+        block_of_accessor_[accessor_number] = block;
+        return block;
+    }
+
+    void add_instance(std::size_t block, const Placement& placement) {
+        if (document_.positions.size() + local_[block].size() > most_slots)
+            source().fail(fmt::format("its instances show more than {} vertices, which is more than wm3d takes",
+                                      most_slots));
+        instances_.push_back({block, placement, document_.positions.size()});
+        for (std::size_t i = 0; i < local_[block].size(); ++i) {
+            const Vec3 position = placement(local_[block][i]);
+            if (!position.allFinite())
+                source().fail(fmt::format("element {} of accessor {} is not finite; wm3d needs finite coordinates", i,
+                                          blocks_[block].accessor.number));
+            document_.positions.push_back(position);
+        }
+    }
+
+    void add_triangles(const Json& primitive, std::size_t mode, std::size_t first_slot, std::size_t vertices) {
+        std::vector<Index> corners;
+        if (primitive.contains("indices")) {
+            corners = gltf_indices(file_, gltf_size(source(), primitive, "indices", 0), vertices);
+        } else {
+            for (std::size_t i = 0; i < vertices; ++i)
+                corners.push_back(static_cast<Index>(i));
+        }
+        for (Index& corner : corners)
+            corner += static_cast<Index>(first_slot);
+        std::vector<Triangle>& triangles = document_.triangles;
+        if (triangles.size() + corners.size() > 4 * most_slots)
+            source().fail("its instances show more triangles than wm3d takes");
+        if (mode == mode_strip) {
+            append_strip(corners, triangles);
+        } else if (mode == mode_fan) {
+            for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+                triangles.push_back({corners[0], corners[i], corners[i + 1]});
+        } else {
+            for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+                triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        }
+    }
+
+    /// Accessors that share some bytes but not all could not be changed one by one.
+    void refuse_overlaps() const {
+        std::vector<GltfAccessor> sorted;
+        for (const GltfBlock& block : blocks_)
+            sorted.push_back(block.accessor);
+        std::sort(sorted.begin(), sorted.end(), [](const GltfAccessor& a, const GltfAccessor& b) {
+            return std::pair(a.buffer, a.offset) < std::pair(b.buffer, b.offset);
+        });
+        for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
+            for (std::size_t j = i + 1; j < sorted.size() && sorted[j].buffer == sorted[i].buffer &&
+                                        sorted[j].offset < sorted[i].end();
+                 ++j)
+                if (!interleaved(sorted[i], sorted[j]))
+                    source().fail(fmt::format("the positions of accessors {} and {} overlap in their buffer, so they "
+                                              "can't be changed one by one",
+                                              sorted[i].number, sorted[j].number));
+    }
+
+    /// Whether b's elements stand in the gaps between a's.
+    static bool interleaved(const GltfAccessor& a, const GltfAccessor& b) {
+        const std::size_t shift = (b.offset - a.offset) % a.stride;
+        return a.stride == b.stride && shift >= 3 * size_of(a.type) && shift + 3 * size_of(b.type) <= a.stride;
+    }
+
+    GltfFile file_;
+    Document document_;
+    std::vector<GltfBlock> blocks_;
+    std::vector<std::vector<Vec3>> local_;
+    std::vector<GltfInstance> instances_;
+    std::map<std::size_t, std::size_t> block_of_accessor_;
+    std::map<Bytes, std::size_t> block_of_bytes_;
+    std::size_t elements_ = 0;
+};
+
+Document read_asset(const Source& source, bool binary, const Resolver& resolver) {
+    try {
+        return SceneReader(GltfFile::open(source, binary, resolver)).run();
+    } catch (const Json::exception& error) {
+        source.fail(fmt::format("its JSON is not as glTF has it ({})", error.what()));
+    }
+}
+
+} // namespace
+
+Document read_gltf(const Source& source, const Resolver& resolver) { return read_asset(source, false, resolver); }
+Document read_glb(const Source& source, const Resolver& resolver) { return read_asset(source, true, resolver); }
+
+} // namespace wm3d::io

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include <wm3d/mesh/parallel.hpp>
+
+namespace wm3d::io {
+
+namespace {
+
+constexpr std::size_t block = 8192;
+constexpr int most_digits = 17; // more says nothing about a double
+constexpr std::size_t text_size = 400;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+bool is_space(char c) { return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f'; }
+
+} // namespace
+
+const char* parse_number(const char* begin, const char* end, double& value) {
+    if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-')
+        ++begin;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::result_out_of_range) {
+        // Too small for a double is zero; too large is an error.
+        const std::string_view text(begin, static_cast<std::size_t>(stop - begin));
+        const std::size_t e = text.find_first_of("eE");
+        if (e == std::string_view::npos ? text.find_first_not_of("-0.") > text.find('.') : text.substr(e + 1, 1) == "-") {
+            value = 0;
+            return stop;
+        }
+        return nullptr;
+    }
+    return error == std::errc() ? stop : nullptr;
+}
+
+void TextScanner::skip_blanks() {
+    while (!at_end() && is_blank(source_.bytes[at_]))
+        ++at_;
+}
+
+void TextScanner::skip_space() {
+    while (!at_end() && is_space(source_.bytes[at_]))
+        ++at_;
+}
+
+void TextScanner::skip_line() {
+    while (!at_line_end())
+        ++at_;
+    if (at_end())
+        return;
+    const bool pair = source_.bytes[at_] == '\r' && at_ + 1 < source_.bytes.size() && source_.bytes[at_ + 1] == '\n';
+    at_ += pair ? 2 : 1;
+}
+
+bool TextScanner::at_line_end() const { return at_end() || is_line_end(source_.bytes[at_]); }
+
+std::string_view TextScanner::word() {
+    skip_space();
+    const std::size_t start = at_;
+    while (!at_end() && !is_space(source_.bytes[at_]))
+        ++at_;
+    return source_.bytes.substr(start, at_ - start);
+}
+
+double TextScanner::number(std::string_view what, std::size_t& start) {
+    skip_space();
+    start = at_;
+    const char* const base = source_.bytes.data();
+    const char* const end = base + source_.bytes.size();
+    double value = 0;
+    const char* const stop = parse_number(base + at_, end, value);
+    if (stop == nullptr || (stop != end && !is_space(*stop) && *stop != '#')) {
+        if (at_end())
+            source_.fail(fmt::format("the file ends where {} should be; it seems to be cut short", what));
+        source_.fail_in_line(start, fmt::format("\"{}\" is no number for {}", word().substr(0, 30), what));
+    }
+    if (!std::isfinite(value))
+        source_.fail_in_line(start, fmt::format("{} is not finite; wm3d needs finite coordinates", what));
+    at_ = static_cast<std::size_t>(stop - base);
+    return value;
+}
+
+std::int64_t TextScanner::integer(std::string_view what, std::int64_t least) {
+    skip_space();
+    const std::size_t start = at_;
+    const char* const base = source_.bytes.data();
+    const char* const end = base + source_.bytes.size();
+    const char* begin = base + at_;
+    if (begin != end && *begin == '+')
+        ++begin;
+    std::int64_t value = 0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (at_end())
+        source_.fail(fmt::format("the file ends where {} should be; it seems to be cut short", what));
+    if (error != std::errc() || (stop != end && !is_space(*stop) && *stop != '#'))
+        source_.fail_in_line(start, fmt::format("\"{}\" is no whole number for {}", word().substr(0, 30), what));
+    if (value < least)
+        source_.fail_in_line(start, fmt::format("{} is {}, but can't be below {}", what, value, least));
+    at_ = static_cast<std::size_t>(stop - base);
+    return value;
+}
+
+void TextStyle::learn(std::string_view number) {
+    int decimals = 0, significant = 0;
+    bool after_point = false, exponent = false;
+    for (char c : number) {
+        if (c == '.') {
+            after_point = true;
+        } else if (is_digit(c)) {
+            decimals += after_point ? 1 : 0;
+            significant += significant > 0 || c != '0' ? 1 : 0;
+        } else if (c == 'e' || c == 'E') {
+            exponent = true;
+            break;
+        }
+    }
+    ++count_;
+    with_exponent_ += exponent ? 1 : 0;
+    decimals_ = std::max(decimals_, std::min(decimals, most_digits));
+    significant_ = std::max(significant_, std::min(significant, most_digits));
+}
+
+std::string_view TextStyle::format(double value, char* out) const {
+    const auto written = [&] {
+        if (!exponents())
+            return std::to_chars(out, out + text_size, value, std::chars_format::fixed, decimals_);
+        if (with_exponent_ == count_)
+            return std::to_chars(out, out + text_size, value, std::chars_format::scientific, decimals_);
+        return std::to_chars(out, out + text_size, value, std::chars_format::general, significant_);
+    }();
+    return {out, static_cast<std::size_t>(written.ptr - out)};
+}
+
+double TextStyle::round(double value) const {
+    char text[text_size];
+    const std::string_view written = format(value, text);
+    double back = value;
+    parse_number(written.data(), written.data() + written.size(), back);
+    return back;
+}
+
+double TextStyle::step(double magnitude) const {
+    const double of_double = std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
+    if (!exponents())
+        return std::max(of_double, std::pow(10.0, -decimals_));
+    const int digits = with_exponent_ == count_ ? decimals_ + 1 : significant_;
+    if (!(magnitude > 0))
+        return of_double;
+    return std::max(of_double, std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1)));
+}
+
+void TextStore::add(const std::array<std::size_t, 3>& offsets) {
+    offsets_.push_back(offsets);
+    for (std::size_t offset : offsets)
+        style_.learn(bytes_.substr(offset, end_of(offset) - offset));
+}
+
+std::size_t TextStore::end_of(std::size_t offset) const {
+    while (offset < bytes_.size() && !is_space(bytes_[offset]) && bytes_[offset] != '#')
+        ++offset;
+    return offset;
+}
+
+double TextStore::step(const Welding& welding) const {
+    return style_.step(largest_coordinates(welding.mesh).maxCoeff());
+}
+
+std::vector<Vec3> TextStore::settle(const Welding& welding, std::span<const Vec3> wanted) const {
+    const std::vector<Vec3>& old = welding.mesh.positions;
+    std::vector<Vec3> settled = old;
+    parallel_blocks(old.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v)
+            for (int k = 0; k < 3; ++k)
+                if (wanted[v][k] != old[v][k])
+                    settled[v][k] = style_.round(wanted[v][k]);
+    });
+    return settled;
+}
+
+PatchedFiles TextStore::patch(const Welding& welding, std::span<const Vec3> wanted, std::string_view) const {
+    std::string out;
+    out.reserve(bytes_.size() + bytes_.size() / 4);
+    std::size_t copied = 0;
+    char text[text_size];
+    for (std::size_t slot = 0; slot < offsets_.size(); ++slot) {
+        const Index v = welding.vertex_of_slot[slot];
+        const auto& offsets = offsets_[slot];
+        std::array<int, 3> order{0, 1, 2}; // of appearance in the file
+        if (offsets[0] > offsets[1] || offsets[1] > offsets[2])
+            std::sort(order.begin(), order.end(), [&](int a, int b) {
+                return offsets[static_cast<std::size_t>(a)] < offsets[static_cast<std::size_t>(b)];
+            });
+        for (int k : order) {
+            if (wanted[v][k] == welding.mesh.positions[v][k])
+                continue;
+            const std::size_t offset = offsets[static_cast<std::size_t>(k)];
+            out.append(bytes_, copied, offset - copied);
+            out.append(style_.format(wanted[v][k], text));
+            copied = end_of(offset);
+        }
+    }
+    out.append(bytes_, copied);
+    return {std::move(out), {}};
+}
+
+} // namespace wm3d::io
