@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  What a mesh is made of: parts, holes and places where it is no manifold.
+#pragma once
+
+#include <cstddef>
+
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d {
+
+/// Facts about a mesh as it is indexed; weld it first if positions that coincide should count as one.
+struct Topology {
+    std::size_t components = 0;           ///< sets of triangles connected by vertices
+    std::size_t edges = 0;                ///< pairs of vertices that some triangle joins
+    std::size_t boundary_edges = 0;       ///< edges of one triangle
+    std::size_t boundary_loops = 0;       ///< connected sets of boundary edges
+    std::size_t non_manifold_edges = 0;   ///< edges of three triangles or more
+    std::size_t misoriented_edges = 0;    ///< edges of two triangles that walk it in the same direction
+    std::size_t isolated_vertices = 0;    ///< vertices of no triangle
+    std::size_t degenerate_triangles = 0; ///< triangles that repeat a corner or have no area
+    long euler_characteristic = 0;        ///< used vertices - edges + triangles
+
+    /// Every edge has two triangles that agree on the outside.
+    bool closed() const { return boundary_edges + non_manifold_edges + misoriented_edges == 0; }
+};
+
+Topology inspect_topology(const TriangleMesh& mesh);
+
+/// Volume that a closed surface encloses, in cubed units of the mesh: positive if the normals point outwards.
+/// The number means nothing for a surface that isn't closed.
+double enclosed_volume(const TriangleMesh& mesh);
+
+} // namespace wm3d

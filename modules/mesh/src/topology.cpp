@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/topology.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/parallel.hpp>
+
+namespace wm3d {
+
+namespace {
+
+/// An edge as one triangle has it; `forward` if the triangle walks it from low to high.
+struct Side {
+    Index low, high;
+    bool forward;
+};
+
+/// The sides of all triangles, those of one edge together.
+std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+    std::vector<Side> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Index a = t[k], b = t[(k + 1) % 3];
+            if (a != b)
+                sides.push_back({std::min(a, b), std::max(a, b), a < b});
+        }
+    std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.forward); });
+    return sides;
+}
+
+/// Disjoint sets of vertices.
+class Sets {
+public:
+    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+
+    Index root(Index v) {
+        while (parent_[v] != v)
+            v = parent_[v] = parent_[parent_[v]]; // halve the path on the way
+        return v;
+    }
+    void join(Index a, Index b) { parent_[root(a)] = root(b); }
+
+private:
+    std::vector<Index> parent_;
+};
+
+/// Number of sets that hold one of the `marked` vertices.
+std::size_t count_sets(Sets& sets, const std::vector<bool>& marked) {
+    std::vector<bool> seen(marked.size(), false);
+    std::size_t count = 0;
+    for (Index v = 0; v < marked.size(); ++v)
+        if (marked[v] && !seen[sets.root(v)]) {
+            seen[sets.root(v)] = true;
+            ++count;
+        }
+    return count;
+}
+
+void inspect_edges(const std::vector<Side>& sides, std::size_t vertices, Topology& topology) {
+    Sets loops(vertices);
+    std::vector<bool> on_boundary(vertices, false);
+    for (auto first = sides.begin(); first != sides.end();) {
+        const auto last = std::find_if(
+            first, sides.end(), [&](const Side& s) { return s.low != first->low || s.high != first->high; });
+        const auto triangles = last - first;
+        ++topology.edges;
+        topology.non_manifold_edges += triangles > 2;
+        topology.misoriented_edges += triangles == 2 && first->forward == (first + 1)->forward;
+        if (triangles == 1) {
+            ++topology.boundary_edges;
+            on_boundary[first->low] = on_boundary[first->high] = true;
+            loops.join(first->low, first->high);
+        }
+        first = last;
+    }
+    topology.boundary_loops = count_sets(loops, on_boundary);
+}
+
+} // namespace
+
+Topology inspect_topology(const TriangleMesh& mesh) {
+    Topology topology;
+    const std::size_t vertices = mesh.positions.size();
+    inspect_edges(sorted_sides(mesh), vertices, topology);
+
+    Sets parts(vertices);
+    std::vector<bool> used(vertices, false);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const auto& [a, b, c] = mesh.triangles[f];
+        parts.join(a, b);
+        parts.join(b, c);
+        used[a] = used[b] = used[c] = true;
+        topology.degenerate_triangles += a == b || b == c || c == a || area_vector(mesh, f).isZero(0);
+    }
+    topology.components = count_sets(parts, used);
+    const auto used_count = static_cast<std::size_t>(std::ranges::count(used, true));
+    topology.isolated_vertices = vertices - used_count;
+    topology.euler_characteristic =
+        static_cast<long>(used_count + mesh.triangles.size()) - static_cast<long>(topology.edges);
+    return topology;
+}
+
+double enclosed_volume(const TriangleMesh& mesh) {
+    // Tetrahedra over the triangles, from a corner of the box: near the surface, digits aren't lost to a far origin.
+    const Vec3 origin = surface_box(mesh).min;
+    return parallel_sum(mesh.triangles.size(), 4096, 0.0, [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t f = begin; f < end; ++f) {
+            const auto& [a, b, c] = mesh.triangles[f];
+            const Vec3 u = mesh.positions[a] - origin, v = mesh.positions[b] - origin,
+                       w = mesh.positions[c] - origin;
+            sum += u.dot(v.cross(w)) / 6;
+        }
+        return sum;
+    });
+}
+
+} // namespace wm3d

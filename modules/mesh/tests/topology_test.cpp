@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/topology.hpp>
+
+#include <doctest/doctest.h>
+
+using namespace wm3d;
+
+namespace {
+
+TriangleMesh tetrahedron() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+} // namespace
+
+TEST_CASE("a tetrahedron is one closed part of Euler characteristic 2") {
+    const Topology t = inspect_topology(tetrahedron());
+    CHECK(t.components == 1);
+    CHECK(t.edges == 6);
+    CHECK(t.euler_characteristic == 2);
+    CHECK(t.closed());
+    CHECK(t.boundary_loops == 0);
+    CHECK(t.degenerate_triangles == 0);
+    CHECK(enclosed_volume(tetrahedron()) == doctest::Approx(1.0 / 6).epsilon(1e-14));
+}
+
+TEST_CASE("the volume doesn't depend on where the mesh lies") {
+    TriangleMesh mesh = tetrahedron();
+    for (Vec3& p : mesh.positions)
+        p += Vec3(1e6, -2e6, 3e6);
+    CHECK(enclosed_volume(mesh) == doctest::Approx(1.0 / 6).epsilon(1e-12));
+}
+
+TEST_CASE("a missing triangle leaves a boundary loop") {
+    TriangleMesh mesh = tetrahedron();
+    mesh.triangles.pop_back();
+    const Topology t = inspect_topology(mesh);
+    CHECK(t.boundary_edges == 3);
+    CHECK(t.boundary_loops == 1);
+    CHECK(t.euler_characteristic == 1);
+    CHECK_FALSE(t.closed());
+}
+
+TEST_CASE("a turned triangle is misoriented along its three edges") {
+    TriangleMesh mesh = tetrahedron();
+    std::swap(mesh.triangles[0][0], mesh.triangles[0][1]);
+    CHECK(inspect_topology(mesh).misoriented_edges == 3);
+    CHECK_FALSE(inspect_topology(mesh).closed());
+}
+
+TEST_CASE("parts, isolated vertices, fins and degenerate triangles are counted") {
+    TriangleMesh mesh = tetrahedron();
+    const TriangleMesh other = tetrahedron();
+    for (const Vec3& p : other.positions)
+        mesh.positions.push_back(p + Vec3(5, 0, 0));
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
+    mesh.positions.push_back({9, 9, 9});
+    mesh.positions.push_back({0, -1, 0});
+    mesh.triangles.push_back({0, 1, 9}); // a fin on an edge that has two triangles already
+    mesh.triangles.push_back({4, 4, 5});
+    const Topology t = inspect_topology(mesh);
+    CHECK(t.components == 2);
+    CHECK(t.isolated_vertices == 1);
+    CHECK(t.non_manifold_edges >= 1);
+    CHECK(t.boundary_edges == 2);
+    CHECK(t.boundary_loops == 1);
+    CHECK(t.degenerate_triangles == 1);
+}
+
+TEST_CASE("nothing has no parts") {
+    const Topology t = inspect_topology({});
+    CHECK(t.components == 0);
+    CHECK(t.euler_characteristic == 0);
+    CHECK(enclosed_volume({}) == 0);
+}
