@@ -7,10 +7,8 @@
 #include <doctest/doctest.h>
 #include <wm3d/mesh.hpp>
 
-#include "topology.hpp"
-
 using namespace wm3d;
-using shapes::contour, shapes::topology, shapes::Topology, shapes::volume;
+using shapes::contour;
 
 namespace {
 
@@ -29,18 +27,17 @@ double cube_solid(const Vec3& p) {
 
 TEST_CASE("the contour of a ball is a closed sphere") {
     const TriangleMesh mesh = contour(sphere_solid, around, {.cell = 0.05});
-    const Topology t = topology(mesh);
-    CHECK(t.euler == 2);
-    CHECK(t.boundary_edges == 0);
-    CHECK(t.oriented);
-    CHECK(volume(mesh) == doctest::Approx(4 * std::numbers::pi / 3).epsilon(2e-3));
+    const Topology t = inspect_topology(mesh);
+    CHECK(t.euler_characteristic == 2);
+    CHECK(t.closed());
+    CHECK(enclosed_volume(mesh) == doctest::Approx(4 * std::numbers::pi / 3).epsilon(2e-3));
     for (const Vec3& p : mesh.positions)
         CHECK(p.norm() == doctest::Approx(1).epsilon(1e-3));
 }
 
 TEST_CASE("edges and corners of a cube stay sharp") {
     const TriangleMesh mesh = contour(cube_solid, around, {.cell = 0.1});
-    CHECK(volume(mesh) == doctest::Approx(8).epsilon(1e-6));
+    CHECK(enclosed_volume(mesh) == doctest::Approx(8).epsilon(1e-6));
     CHECK(surface_area(mesh) == doctest::Approx(24).epsilon(1e-6));
     const Box box = bounding_box(mesh.positions);
     CHECK(box.min.isApprox(Vec3::Constant(-1), 1e-6));
@@ -53,8 +50,7 @@ TEST_CASE("two sheets in one cube get a vertex each") {
         return std::min((p - Vec3(0.51, 0, 0)).norm(), (p + Vec3(0.51, 0, 0)).norm()) - 0.5;
     };
     const TriangleMesh mesh = contour(solid, around, {.cell = 0.1});
-    CHECK(topology(mesh).oriented);
-    CHECK(topology(mesh).boundary_edges == 0);
+    CHECK(inspect_topology(mesh).closed());
 }
 
 TEST_CASE("the bytes don't depend on the number of threads") {
