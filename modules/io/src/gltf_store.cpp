@@ -269,17 +269,18 @@ std::string rebuilt_glb(const GltfFile& file, std::string text, const std::strin
     const std::string_view bytes = file.source().bytes;
     const std::size_t text_offset = static_cast<std::size_t>(file.text().data() - bytes.data());
     const std::size_t text_end = text_offset + file.text().size();
-    std::string binary(bytes.substr(text_end));
-    if (!chunk.empty())
-        binary.replace(file.chunk_offset() - text_end, chunk.size(), chunk);
     if (text != file.text()) {
         // The old padding would add up; what remains is padded anew to a multiple of four.
         text.erase(text.find_last_not_of(' ') + 1);
         text.append((4 - text.size() % 4) % 4, ' ');
     }
-    std::string out(bytes.substr(0, text_offset));
+    std::string out;
+    out.reserve(bytes.size() + text.size());
+    out += bytes.substr(0, text_offset);
     out += text;
-    out += binary;
+    out += bytes.substr(text_end);
+    if (!chunk.empty())
+        out.replace(file.chunk_offset() - text_end + text_offset + text.size(), chunk.size(), chunk);
     put_u32(out, 8, out.size());
     put_u32(out, 12, text.size());
     return out;

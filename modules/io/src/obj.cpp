@@ -20,7 +20,10 @@ namespace wm3d::io {
 
 namespace {
 
-/// The statements of a file in memory, as a stream that knows how far it was read.
+/// Pieces are cut by size alone, so that nothing depends on the number of threads.
+constexpr std::size_t piece_size = std::size_t{1} << 18;
+
+/// Some bytes as a stream that knows how far it was read.
 class BytesBuffer : public std::streambuf {
 public:
     explicit BytesBuffer(std::string_view bytes) {
@@ -30,30 +33,55 @@ public:
     std::size_t offset() const { return static_cast<std::size_t>(gptr() - eback()); }
 };
 
-/// Faces as tinyobjloader reports them, line by line.
-struct FaceReader {
-    const Source& source;
-    BytesBuffer buffer;
+/// A run of whole lines of the file, and what they hold.
+struct Piece {
+    std::size_t begin = 0, end = 0;
+    std::vector<Vec3> positions;
+    TextStore store;
     Polygons faces;
-    std::size_t vertices = 0; // so far: negative indices count back from here
-    Index largest = 0;
+    Index largest = 0; ///< vertex number of a face
     std::size_t largest_at = 0;
+    std::exception_ptr error;
+};
 
-    explicit FaceReader(const Source& s) : source(s), buffer(s.bytes) {}
+/// Faces of a piece as tinyobjloader reports them, line by line.
+class FaceReader {
+public:
+    /// `vertices` come before the piece.
+    FaceReader(const Source& source, Piece& piece, std::size_t vertices)
+        : source_(source), piece_(piece), buffer_(source.bytes.substr(piece.begin, piece.end - piece.begin)),
+          vertices_(vertices) {}
 
-    [[noreturn]] void fail(std::string_view what) const {
-        // The reader stands behind the line's end.
-        source.fail_in_line(buffer.offset() - (buffer.offset() > 0 ? 1 : 0), what);
+    /// \return  number of vertices up to the end of the piece
+    std::size_t run() {
+        tinyobj::callback_t callback;
+        callback.vertex_cb = [](void* self, double, double, double, double) {
+            ++static_cast<FaceReader*>(self)->vertices_;
+        };
+        callback.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
+            static_cast<FaceReader*>(self)->add_face(indices, count);
+        };
+        std::istream stream(&buffer_);
+        std::string warnings, errors;
+        if (!tinyobj::LoadObjWithCallback(stream, callback, this, nullptr, &warnings, &errors))
+            fail(errors.empty() ? "the file can't be understood as OBJ" : errors);
+        return vertices_;
     }
+
+private:
+    /// A byte of the line that was read last; the reader stands behind its end.
+    std::size_t place() const { return piece_.begin + buffer_.offset() - (buffer_.offset() > 0 ? 1 : 0); }
+    [[noreturn]] void fail(std::string_view what) const { source_.fail_in_line(place(), what); }
 
     Index resolve(int index) const {
         if (index > 0)
             return static_cast<Index>(index) - 1;
         if (index == 0)
             fail("a face names vertex 0 or something that is no number; OBJ counts vertices from 1");
-        if (static_cast<std::size_t>(-static_cast<long long>(index)) > vertices)
-            fail(fmt::format("a face names vertex {}, but only {} vertices come before it", index, vertices));
-        return static_cast<Index>(vertices - static_cast<std::size_t>(-static_cast<long long>(index)));
+        const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(index)); // -1 is the latest vertex
+        if (back > vertices_)
+            fail(fmt::format("a face names vertex {}, but only {} vertices come before it", index, vertices_));
+        return static_cast<Index>(vertices_ - back);
     }
 
     void add_face(const tinyobj::index_t* indices, int count) {
@@ -61,35 +89,26 @@ struct FaceReader {
             fail(fmt::format("a face has {} corners, but needs 3 or more", count));
         for (int i = 0; i < count; ++i) {
             const Index v = resolve(indices[i].vertex_index);
-            if (v > largest || faces.corners.empty()) {
-                largest = v;
-                largest_at = buffer.offset() - 1;
+            if (v > piece_.largest) {
+                piece_.largest = v;
+                piece_.largest_at = place();
             }
-            faces.corners.push_back(v);
+            piece_.faces.corners.push_back(v);
         }
-        faces.close_face();
+        piece_.faces.close_face();
     }
 
-    void run() {
-        tinyobj::callback_t callback;
-        callback.vertex_cb = [](void* self, double, double, double, double) {
-            ++static_cast<FaceReader*>(self)->vertices;
-        };
-        callback.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
-            static_cast<FaceReader*>(self)->add_face(indices, count);
-        };
-        std::istream stream(&buffer);
-        std::string warnings, errors;
-        if (!tinyobj::LoadObjWithCallback(stream, callback, this, nullptr, &warnings, &errors))
-            fail(errors.empty() ? "the file can't be understood as OBJ" : errors);
-    }
+    const Source& source_;
+    Piece& piece_;
+    BytesBuffer buffer_;
+    std::size_t vertices_; // so far: negative numbers count back from here
 };
 
-/// Positions and places of the coordinates of all `v` lines.
-void scan_vertices(const Source& source, std::vector<Vec3>& positions, TextStore& store) {
-    TextScanner scan(source, 0);
+/// Positions and places of the coordinates of the piece's `v` lines.
+void scan_vertices(const Source& source, Piece& piece) {
     const std::string_view bytes = source.bytes;
-    while (!scan.at_end()) {
+    TextScanner scan(source, piece.begin);
+    while (scan.offset() < piece.end) {
         scan.skip_blanks();
         const std::size_t at = scan.offset();
         if (at + 1 < bytes.size() && bytes[at] == 'v' && (bytes[at + 1] == ' ' || bytes[at + 1] == '\t')) {
@@ -102,11 +121,38 @@ void scan_vertices(const Source& source, std::vector<Vec3>& positions, TextStore
                     source.fail_in_line(at, "a vertex has fewer than 3 coordinates");
                 position[static_cast<int>(k)] = scan.number("a vertex coordinate", offsets[k]);
             }
-            positions.push_back(position);
-            store.add(offsets);
+            piece.positions.push_back(position);
+            piece.store.add(offsets);
         }
         scan.skip_line();
     }
+}
+
+/// Cuts the file after line ends; the store of each piece is one of the original bytes.
+std::vector<Piece> cut(const Source& source, std::string_view original) {
+    std::vector<Piece> pieces;
+    for (std::size_t begin = 0; begin < source.bytes.size();) {
+        const std::size_t line_end = source.bytes.find('\n', begin + piece_size);
+        const std::size_t end = line_end == std::string_view::npos ? source.bytes.size() : line_end + 1;
+        pieces.push_back({begin, end, {}, TextStore(original), {}, 0, 0, nullptr});
+        begin = end;
+    }
+    return pieces;
+}
+
+/// Runs `read` on every piece; of several errors, that of the first piece is thrown.
+template <typename F>
+void for_each_piece(std::vector<Piece>& pieces, F&& read) {
+    parallel_blocks(pieces.size(), 1, [&](std::size_t begin, std::size_t) {
+        try {
+            read(begin);
+        } catch (...) {
+            pieces[begin].error = std::current_exception();
+        }
+    });
+    for (const Piece& piece : pieces)
+        if (piece.error)
+            std::rethrow_exception(piece.error);
 }
 
 /// The bytes with every backslash that continues a line, and that line's end, blanked: same offsets.
@@ -124,32 +170,38 @@ std::string join_continued_lines(std::string_view bytes) {
     return joined;
 }
 
-template <typename F>
-std::exception_ptr caught(F&& f) {
-    try {
-        f();
-    } catch (...) {
-        return std::current_exception();
-    }
-    return nullptr;
+void append(Polygons& all, const Polygons& part) {
+    const std::size_t before = all.corners.size();
+    all.corners.insert(all.corners.end(), part.corners.begin(), part.corners.end());
+    for (std::size_t end : part.ends)
+        all.ends.push_back(before + end);
 }
 
 Document read_statements(const Source& source, std::string_view original) {
-    auto store = std::make_unique<TextStore>(original);
+    std::vector<Piece> pieces = cut(source, original);
+    for_each_piece(pieces, [&](std::size_t p) { scan_vertices(source, pieces[p]); });
+    std::vector<std::size_t> before(pieces.size() + 1, 0);
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        before[p + 1] = before[p] + pieces[p].positions.size();
+    for_each_piece(pieces, [&](std::size_t p) {
+        if (FaceReader(source, pieces[p], before[p]).run() != before[p + 1])
+            source.fail("its lines can't be told apart; the file may mix line ends or hold control characters");
+    });
+
     Document document;
-    FaceReader reader(source);
-    std::exception_ptr of_vertices, of_faces; // caught here so that the same one is told on every run
-    parallel_invoke([&] { of_faces = caught([&] { reader.run(); }); },
-                    [&] { of_vertices = caught([&] { scan_vertices(source, document.positions, *store); }); });
-    for (const std::exception_ptr& error : {of_vertices, of_faces})
-        if (error)
-            std::rethrow_exception(error);
-    if (reader.vertices != document.positions.size())
-        source.fail("its lines can't be told apart; the file may mix line ends or hold control characters");
-    if (!reader.faces.corners.empty() && reader.largest >= document.positions.size())
-        source.fail_in_line(reader.largest_at, fmt::format("a face names vertex {}, but the file has {} vertices",
-                                                           reader.largest + 1, document.positions.size()));
-    document.triangles = triangulate(document.positions, reader.faces);
+    document.positions.reserve(before.back());
+    auto store = std::make_unique<TextStore>(original);
+    store->reserve(before.back());
+    Polygons faces;
+    for (Piece& piece : pieces) {
+        if (!piece.faces.corners.empty() && piece.largest >= before.back())
+            source.fail_in_line(piece.largest_at, fmt::format("a face names vertex {}, but the file has {} vertices",
+                                                              std::size_t{piece.largest} + 1, before.back()));
+        document.positions.insert(document.positions.end(), piece.positions.begin(), piece.positions.end());
+        store->append(piece.store);
+        append(faces, piece.faces);
+    }
+    document.triangles = triangulate(document.positions, faces);
     document.store = std::move(store);
     return document;
 }

@@ -53,11 +53,15 @@ void TextScanner::skip_space() {
 }
 
 void TextScanner::skip_line() {
-    while (!at_line_end())
-        ++at_;
+    const char* const base = source_.bytes.data();
+    const std::size_t size = source_.bytes.size();
+    std::size_t at = at_; // a local: this loop sees every byte of a file
+    while (at < size && !is_line_end(base[at]))
+        ++at;
+    at_ = at;
     if (at_end())
         return;
-    const bool pair = source_.bytes[at_] == '\r' && at_ + 1 < source_.bytes.size() && source_.bytes[at_ + 1] == '\n';
+    const bool pair = base[at_] == '\r' && at_ + 1 < size && base[at_ + 1] == '\n';
     at_ += pair ? 2 : 1;
 }
 
@@ -129,6 +133,13 @@ void TextStyle::learn(std::string_view number) {
     significant_ = std::max(significant_, std::min(significant, most_digits));
 }
 
+void TextStyle::learn(const TextStyle& other) {
+    count_ += other.count_;
+    with_exponent_ += other.with_exponent_;
+    decimals_ = std::max(decimals_, other.decimals_);
+    significant_ = std::max(significant_, other.significant_);
+}
+
 std::string_view TextStyle::format(double value, char* out) const {
     const auto written = [&] {
         if (!exponents())
@@ -162,6 +173,11 @@ void TextStore::add(const std::array<std::size_t, 3>& offsets) {
     offsets_.push_back(offsets);
     for (std::size_t offset : offsets)
         style_.learn(bytes_.substr(offset, end_of(offset) - offset));
+}
+
+void TextStore::append(const TextStore& part) {
+    offsets_.insert(offsets_.end(), part.offsets_.begin(), part.offsets_.end());
+    style_.learn(part.style_);
 }
 
 std::size_t TextStore::end_of(std::size_t offset) const {

@@ -47,6 +47,8 @@ private:
 class TextStyle {
 public:
     void learn(std::string_view number);
+    /// Learns all that `other` has learned.
+    void learn(const TextStyle& other);
 
     /// `value` in the file's style: as many decimals as its longest coordinate has, or, if exponents occur,
     /// as many significant digits. Writes to `out` (at least 400 bytes). \return the text
@@ -71,6 +73,8 @@ public:
     void reserve(std::size_t slots) { offsets_.reserve(slots); }
     /// Adds the next slot; the offsets are those of its x, y and z.
     void add(const std::array<std::size_t, 3>& offsets);
+    /// Adds all slots of another store over the same bytes.
+    void append(const TextStore& part);
     std::size_t size() const { return offsets_.size(); }
 
     double step(const Welding& welding) const override;
