@@ -25,9 +25,7 @@ namespace wm3d::cmd {
 namespace {
 
 int complain(std::string_view who, std::string_view sentence) {
-    const bool colour = wants_colour(STDERR_FILENO);
-    write_message(fmt::format("{}: {}error:{} {}\n", who, colour ? "\033[1;31m" : "", colour ? "\033[0m" : "",
-                              sentence));
+    write_error(who, sentence);
     return exit_error;
 }
 

@@ -32,11 +32,22 @@ std::string_view colour_of(Tone tone) {
     return "";
 }
 
-} // namespace
-
+/// Whether `descriptor` is a terminal on which colours are welcome.
 bool wants_colour(int descriptor) {
     const char* no_color = std::getenv("NO_COLOR");
     return ::isatty(descriptor) == 1 && !dumb_terminal() && (no_color == nullptr || *no_color == '\0');
+}
+
+std::string coloured(std::string_view text, Tone tone, int descriptor) {
+    if (tone == Tone::plain || !wants_colour(descriptor))
+        return std::string(text);
+    return fmt::format("{}{}\033[0m", colour_of(tone), text);
+}
+
+} // namespace
+
+void write_error(std::string_view who, std::string_view sentence) {
+    write_message(fmt::format("{}: {} {}\n", who, coloured("error:", Tone::bad, STDERR_FILENO), sentence));
 }
 
 Output::Output(std::string command, const OutputOptions& options)
@@ -53,7 +64,11 @@ void Output::detail(std::string_view sentence) {
 }
 
 void Output::warn(std::string_view sentence) {
-    tell(fmt::format("warning: {}", sentence));
+    tell(fmt::format("{} {}", coloured("warning:", Tone::warning, STDERR_FILENO), sentence));
+}
+
+void Output::fail(std::string_view sentence) {
+    tell(fmt::format("{} {}", coloured("failed:", Tone::bad, STDERR_FILENO), sentence));
 }
 
 void Output::tell(std::string_view line) {
@@ -81,9 +96,7 @@ void Output::write_bytes(std::string_view bytes) {
 }
 
 std::string Output::toned(std::string_view text, Tone tone) const {
-    if (tone == Tone::plain || !wants_colour(STDOUT_FILENO))
-        return std::string(text);
-    return fmt::format("{}{}\033[0m", colour_of(tone), text);
+    return coloured(text, tone, STDOUT_FILENO);
 }
 
 Progress Output::progress() {

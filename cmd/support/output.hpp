@@ -42,6 +42,9 @@ public:
     /// As `say`, but -q doesn't silence it: "warning: ...".
     void warn(std::string_view sentence);
 
+    /// As `warn`, for what makes the command fail without being an error of its input: "failed: ...".
+    void fail(std::string_view sentence);
+
     /// Text of the result, on standard output. With --json nothing: the object says it all.
     void print(std::string_view text);
 
@@ -66,7 +69,7 @@ private:
     ProgressLine line_;
 };
 
-/// Whether `descriptor` is a terminal on which colours are welcome.
-bool wants_colour(int descriptor);
+/// "WHO: error: sentence" on standard error.
+void write_error(std::string_view who, std::string_view sentence);
 
 } // namespace wm3d::cmd

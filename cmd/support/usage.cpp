@@ -49,4 +49,15 @@ CLI::Validator positive_number() {
         "above 0");
 }
 
+CLI::Validator probability() {
+    return CLI::Validator(
+        [](std::string& text) {
+            const double value = parse_number(text);
+            return value > 0 && value < 1
+                       ? std::string()
+                       : fmt::format("'{}' is not a probability between 0 and 1, such as 1e-6", text);
+        },
+        "between 0 and 1");
+}
+
 } // namespace wm3d::cmd

@@ -23,4 +23,7 @@ CLI::Validator number_between(double low, double high);
 /// Accepts finite numbers above zero.
 CLI::Validator positive_number();
 
+/// Accepts numbers above 0 and below 1.
+CLI::Validator probability();
+
 } // namespace wm3d::cmd
