@@ -3,18 +3,12 @@
 #include <wm3d/embed.hpp>
 #include <wm3d/sphere.hpp>
 
+#include "support/triangles.hpp"
 #include "support/vectors.hpp"
 
 using namespace wm3d;
 
 namespace {
-
-std::vector<Vec3> directions_of(const spec::Vector& vector) {
-    std::vector<Vec3> directions;
-    for (const auto& d : vector.input<std::vector<std::array<double, 3>>>("directions"))
-        directions.push_back({d[0], d[1], d[2]});
-    return directions;
-}
 
 sphere::BumpedSphere sphere_of(const spec::Vector& vector) {
     return {sphere::Icosphere(vector.input<unsigned>("level")), vector.input<std::vector<double>>("heights"),
@@ -27,19 +21,19 @@ TEST_CASE("R_P and Delta are those of the ray and the bumped mesh") {
     spec::Vectors("eq_03.json").each([](const spec::Vector& vector) {
         const sphere::BumpedSphere bumped = sphere_of(vector);
         std::vector<double> radius, linear;
-        for (const Vec3& direction : directions_of(vector)) {
+        for (const Vec3& direction : spec::points(vector, "directions")) {
             radius.push_back(bumped.radius_at(direction));
             linear.push_back(sphere::linear_delta(bumped.sphere().locate(direction), bumped.heights()));
         }
         vector.check("bumped_radius", radius);
         vector.check("linear_delta", linear);
-        vector.check("delta", bumped.deltas(directions_of(vector)));
+        vector.check("delta", bumped.deltas(spec::points(vector, "directions")));
     });
 }
 
 TEST_CASE("a marked radius is r + gamma Delta") {
     spec::Vectors("eq_03.json").each([](const spec::Vector& vector) {
-        const std::vector<double> delta = sphere_of(vector).deltas(directions_of(vector));
+        const std::vector<double> delta = sphere_of(vector).deltas(spec::points(vector, "directions"));
         const auto r = vector.input<std::vector<double>>("r");
         std::vector<double> marked;
         for (std::size_t i = 0; i < r.size(); ++i)
@@ -50,7 +44,7 @@ TEST_CASE("a marked radius is r + gamma Delta") {
 
 TEST_CASE("a marked vertex keeps its direction and gets its marked radius") {
     spec::Vectors("eq_03.json").each([](const spec::Vector& vector) {
-        const std::vector<Vec3> directions = directions_of(vector);
+        const std::vector<Vec3> directions = spec::points(vector, "directions");
         const auto r = vector.input<std::vector<double>>("r");
         std::vector<Vec3> base;
         for (std::size_t i = 0; i < r.size(); ++i)
@@ -60,8 +54,9 @@ TEST_CASE("a marked vertex keeps its direction and gets its marked radius") {
         REQUIRE(marked.size() == base.size());
         for (std::size_t i = 0; i < base.size(); ++i) {
             INFO(vector.id(), ", vertex ", i);
-            CHECK(marked[i].norm() ==
-                  doctest::Approx(embed::marked_radius(r[i], vector.input("gamma"), delta[i])).epsilon(1e-15));
+            CHECK(
+                marked[i].norm() ==
+                doctest::Approx(embed::marked_radius(r[i], vector.input("gamma"), delta[i])).epsilon(1e-15));
             CHECK(marked[i].normalized().dot(base[i].normalized()) == doctest::Approx(1).epsilon(1e-15));
         }
     });

@@ -8,7 +8,8 @@ using namespace wm3d;
 
 TEST_CASE("rho is the mean of the products") {
     spec::Vectors("eq_04.json").each([](const spec::Vector& vector) {
-        const auto r = vector.input<std::vector<double>>("r"), delta = vector.input<std::vector<double>>("delta");
+        const auto r = vector.input<std::vector<double>>("r"),
+                   delta = vector.input<std::vector<double>>("delta");
         vector.check("correlation", detect::correlation(r, delta));
     });
 }

@@ -8,7 +8,7 @@ using namespace wm3d;
 
 namespace {
 
-template <typename Function>
+template<typename Function>
 double call(Function function, const spec::Vector& vector) {
     return function(vector.input("gamma"), vector.input<std::size_t>("n"), vector.input("delta_mean_square"),
                     vector.input("sigma_r"), vector.input("pf"));

@@ -9,8 +9,8 @@ using namespace wm3d;
 TEST_CASE("T_rho gives P_f in the central-limit model") {
     spec::Vectors("eq_06.json").each([](const spec::Vector& vector) {
         vector.check("threshold",
-                     detect::threshold(vector.input("pf"), vector.input<std::size_t>("n"), vector.input("sigma_r2"),
-                                       vector.input("delta_mean_square"), vector.input("delta_mean"),
-                                       vector.input("mu_r")));
+                     detect::threshold(vector.input("pf"), vector.input<std::size_t>("n"),
+                                       vector.input("sigma_r2"), vector.input("delta_mean_square"),
+                                       vector.input("delta_mean"), vector.input("mu_r")));
     });
 }
