@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 
+#include "command_info.hpp"
 #include "command_keygen.hpp"
+#include "command_mark.hpp"
 #include "command_sample.hpp"
 #include "command_simplify.hpp"
 #include "command_sphere.hpp"
+#include "command_verify.hpp"
 
 namespace wm3d::cmd {
 
@@ -15,8 +18,11 @@ namespace {
 
 constexpr std::array table{
     Command{"keygen", "Marks", "make an owner's key", declare_keygen},
+    Command{"mark", "Marks", "hide a key's mark in a mesh", declare_mark},
+    Command{"verify", "Marks", "say whether a key's mark is in a mesh", declare_verify},
     Command{"simplify", "Parts of the method", "simplify a mesh to a number of vertices", declare_simplify},
     Command{"sphere", "Parts of the method", "write the watermarking sphere as a mesh", declare_sphere},
+    Command{"info", "Meshes", "tell what a mesh file holds", declare_info},
     Command{"sample", "Meshes", "write the built-in demonstration model", declare_sample},
 };
 

@@ -79,24 +79,40 @@ LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& row
     return {sphere::multiply_transposed(rows, template_[f]), rmax};
 }
 
-double Evidence::expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double move) const {
+std::vector<double> Evidence::normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
     std::vector<double> q = sphere::multiply(rows, w);
+    for (std::size_t i = 0; i < q.size(); ++i)
+        q[i] *= visibility_[i];
+    return q;
+}
+
+double Evidence::rms(std::span<const double> x) const {
     const std::span<const double> area = surface_.mass();
     double squares = 0, total = 0;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-        q[i] *= visibility_[i];
-        squares += area[i] * q[i] * q[i];
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        squares += area[i] * x[i] * x[i];
         total += area[i];
     }
-    if (!(squares > 0))
+    return total > 0 ? std::sqrt(squares / total) : 0;
+}
+
+double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const {
+    const double unit = rms(normal_bumps(rows, w));
+    return unit > 0 ? move / unit : 0;
+}
+
+double Evidence::expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                                double move) const {
+    const std::vector<double> q = normal_bumps(rows, w);
+    const double unit = rms(q);
+    if (!(unit > 0))
         return 0;
-    const double gamma = move / std::sqrt(squares / total);
     // With e increased by gamma HP q, T grows by gamma (HP q)^T diag(a g) (HP q).
     const std::vector<double> h = high_pass(options_.filters[f].t, q);
     double shift = 0;
     for (std::size_t i = 0; i < h.size(); ++i)
         shift += weights_[f][i] * h[i] * h[i];
-    return gamma * shift;
+    return move / unit * shift;
 }
 
 std::vector<double> Evidence::high_pass(double t, std::span<const double> x) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/detect/linear_statistic.hpp>
 
+#include <array>
 #include <cmath>
 
 namespace wm3d::detect {
@@ -36,10 +37,15 @@ LinearStatistic::LinearStatistic(std::vector<double> coefficients, double rmax)
 }
 
 double LinearStatistic::value(std::span<const double> w) const {
-    double t = 0;
-    for (std::size_t j = 0; j < coefficients_.size(); ++j)
-        t += coefficients_[j] * w[j];
-    return t;
+    // Four running sums in a fixed order: as fast as the memory, and the same bits everywhere.
+    std::array<double, 4> t{};
+    const std::size_t n = coefficients_.size(), whole = n - n % 4;
+    for (std::size_t j = 0; j < whole; j += 4)
+        for (std::size_t k = 0; k < 4; ++k)
+            t[k] += coefficients_[j + k] * w[j + k];
+    for (std::size_t j = whole; j < n; ++j)
+        t[0] += coefficients_[j] * w[j];
+    return (t[0] + t[1]) + (t[2] + t[3]);
 }
 
 Cumulants cumulants(const LinearStatistic& statistic, double s) {

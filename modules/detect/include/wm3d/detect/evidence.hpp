@@ -45,11 +45,17 @@ public:
     /// n . HP x, g its weights, HP = I - (M + tL)^-1 M.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
 
+    /// gamma of eq. (3) at which the mark of `w` has an area-weighted root mean square normal move `move` (in units of
+    /// mean radius); 0 if no gamma does.
+    double gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const;
+
     /// Expected T, less its null mean 0, if this very mesh carried the mark of `w` with an area-weighted
     /// root mean square normal move `move` (in units of mean radius).
     double expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double move) const;
 
 private:
+    std::vector<double> normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
+    double rms(std::span<const double> x) const;
     std::vector<double> high_pass(double t, std::span<const double> x) const;
 
     EvidenceOptions options_;

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_mark.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <wm3d/mesh/error.hpp>
+
+#include "pipeline/mark.hpp"
+#include "pipeline/verify.hpp"
+#include "support/mesh_files.hpp"
+#include "support/usage.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+struct MarkArguments {
+    MeshFiles files;
+    std::string key;
+    pipeline::MarkOptions options;
+};
+
+/// `mark` rewrites coordinates inside the user's own file: another format would be another file.
+void require_same_format(const MarkArguments& arguments, io::Format in, io::Format out) {
+    if (in != out)
+        throw ParameterError(
+            fmt::format("{}: mark keeps the file as it is but for its coordinates, so the output has to be "
+                        "a .{} like the input; convert it before or afterwards",
+                        arguments.files.output, io::name_of(in)));
+}
+
+void warn_if_too_coarse(const io::Model& model, const pipeline::Marked& marked, Output& output) {
+    if (model.coordinate_step() > marked.distortion.normal_rms)
+        output.warn(fmt::format(
+            "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
+            "write the model with more digits before marking it, or raise --strength",
+            model.coordinate_step(), marked.distortion.normal_rms));
+}
+
+/// Reads the bytes that are about to be written, as verify would read the file.
+io::Model read_back(const io::PatchedFiles& files, const MarkArguments& arguments, io::Format format) {
+    const auto folder = std::filesystem::path(arguments.files.input).parent_path();
+    return io::parse(files.bytes, format, arguments.files.output, [&](std::string_view uri) {
+        for (const io::SideFile& side : files.side_files)
+            if (side.name == uri)
+                return side.bytes;
+        return io::read_file(folder / uri);
+    });
+}
+
+std::string self_check_failure(const TriangleMesh& mesh, const key::Key& key, const MarkArguments& arguments,
+                               const pipeline::Marked& marked, const pipeline::VerifyReport& check) {
+    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
+    pipeline::MarkOptions options = arguments.options;
+    options.strength = d.normal_rms;
+    const pipeline::Forecast forecast = pipeline::forecast(mesh, key, options);
+    return fmt::format(
+        "{}: nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is "
+        "needed); {}",
+        arguments.files.input, check.score.log10_p, std::log10(options.pf),
+        forecast.predicted_miss > 0.01
+            ? fmt::format("with {} vertices the mesh is too small or too plain for a strength of {:.3g} %: "
+                          "raise --strength, or subdivide the model first",
+                          mesh.positions.size(), d.normal_rms)
+            : std::string(
+                  "the file's coordinates are too coarse for it, or its shape has no clear axes: raise "
+                  "--strength, or store more digits"));
+}
+
+nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
+                               const pipeline::Marked& marked, const pipeline::VerifyReport& check) {
+    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
+    return {{"input", arguments.files.input},
+            {"output", arguments.files.output},
+            {"key", key.fingerprint()},
+            {"base_vertices", marked.base_vertices},
+            {"level", marked.level},
+            {"rmax", marked.rmax},
+            {"gamma", marked.gamma},
+            {"rms_percent", d.normal_rms},
+            {"vertex_rms_percent", d.vertex_rms},
+            {"max_percent", d.max},
+            {"pf", arguments.options.pf},
+            {"log10_p", check.score.log10_p},
+            {"verdict", detect::name(check.verdict)}};
+}
+
+void tell(const MarkArguments& arguments, const pipeline::Marked& marked, const pipeline::VerifyReport& check,
+          Output& output) {
+    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
+    output.say(fmt::format("Marked {} and wrote {}; verify finds the mark there with log10 p = {:.1f}.",
+                           display_name(arguments.files.input),
+                           display_name(arguments.files.output, "standard output"), check.score.log10_p));
+    if (arguments.files.output == "-")
+        return;
+    output.print(fmt::format("move along the normals   {:.4f} % of the box's diagonal (root mean square)\n"
+                             "move of the vertices     {:.4f} % (root mean square), {:.4f} % (largest)\n"
+                             "base vertices            {}\n"
+                             "level, gamma, rmax       {}, {:.4g}, {:g}\n",
+                             d.normal_rms, d.vertex_rms, d.max, marked.base_vertices, marked.level,
+                             marked.gamma, marked.rmax));
+}
+
+int run(const MarkArguments& arguments, Output& output) {
+    const io::Format format = check_output(arguments.files, output);
+    const key::Key key = key::Key::load(arguments.key);
+    const io::Model model = read_input(arguments.files);
+    require_same_format(arguments, model.format(), format);
+
+    const pipeline::Marked marked = pipeline::mark(model.mesh(), key, arguments.options, output.progress());
+    warn_if_too_coarse(model, marked, output);
+    const bool to_stream = arguments.files.output == "-";
+    const io::PatchedFiles files = to_stream ? io::PatchedFiles{model.patched(marked.positions), {}}
+                                             : model.patched_files(marked.positions, arguments.files.output);
+
+    pipeline::VerifyOptions check_options;
+    check_options.pf = arguments.options.pf;
+    check_options.vertices = arguments.options.vertices;
+    const pipeline::VerifyReport check =
+        pipeline::verify(read_back(files, arguments, format).mesh(), key, check_options, output.progress());
+    if (check.verdict != detect::Verdict::present) {
+        output.fail(self_check_failure(model.mesh(), key, arguments, marked, check));
+        return exit_check_failed;
+    }
+
+    if (to_stream)
+        output.write_bytes(files.bytes);
+    else
+        io::write_files(arguments.files.output, files, {.overwrite = arguments.files.overwrite});
+    tell(arguments, marked, check, output);
+    output.print_json(to_json(arguments, key, marked, check));
+    return exit_done;
+}
+
+void add_options(CLI::App& app, MarkArguments& arguments) {
+    pipeline::MarkOptions& options = arguments.options;
+    add_input(app, arguments.files);
+    add_output(app, arguments.files);
+    app.add_option("--key", arguments.key, "Owner's key file")->option_text("FILE (required)")->required();
+    auto* strength =
+        app.add_option("--strength", options.strength,
+                       "Root mean square move along the surface normal, in % of the diagonal of the bounding "
+                       "box [0.05]");
+    strength->option_text("P")->check(positive_number());
+    app.add_option("--gamma", options.gamma,
+                   "Strength as gamma of the paper's eq. (3), instead of --strength")
+        ->option_text("G")
+        ->check(positive_number())
+        ->excludes(strength);
+    app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
+        ->option_text("N")
+        ->check(number_between(4, 1e8));
+    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5]")
+        ->option_text("L")
+        ->check(number_between(0, sphere::max_level));
+    app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
+        ->option_text("R")
+        ->check(number_between(1e-6, 0.999));
+    app.add_option("--pf", options.pf,
+                   "False-positive probability at which the mark must be found again [1e-6]")
+        ->option_text("P")
+        ->check(probability());
+}
+
+} // namespace
+
+Action declare_mark(CLI::App& app) {
+    const auto arguments = std::make_shared<MarkArguments>();
+    app.description(
+        "Hides the mark of a key in a mesh. Only vertex coordinates change; everything else in the file "
+        "stays\n"
+        "byte for byte. Before the file is written it is verified: where the mark would not be found again,\n"
+        "nothing is written and the exit status is 1.");
+    add_options(app, *arguments);
+    app.footer("Examples:\n  wm3d mark scan.ply -o marked.ply --key museum.key\n"
+               "  wm3d mark model.glb -o marked.glb --key shop.key --strength 0.02");
+    return [arguments](Output& output) { return run(*arguments, output); };
+}
+
+} // namespace wm3d::cmd

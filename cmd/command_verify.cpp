@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_verify.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "pipeline/verify.hpp"
+#include "support/mesh_files.hpp"
+#include "support/usage.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+using detect::Verdict;
+using nlohmann::ordered_json;
+
+struct VerifyArguments {
+    MeshFiles files;
+    std::string key;
+    pipeline::VerifyOptions options;
+    std::string detector = "whitened";
+    std::string resync = "pca";
+    bool exit_zero = false;
+};
+
+int exit_status(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::present:
+        return 0;
+    case Verdict::absent:
+        return 1;
+    default:
+        return 3;
+    }
+}
+
+Tone tone(Verdict verdict) {
+    return verdict == Verdict::present  ? Tone::good
+           : verdict == Verdict::absent ? Tone::plain
+                                        : Tone::warning;
+}
+
+std::string power_of_ten(double log10_p) {
+    if (log10_p > -4)
+        return fmt::format("{:.2g}", std::pow(10, log10_p));
+    const double exponent = std::floor(log10_p);
+    return fmt::format("{:.1f}e{:.0f}", std::pow(10, log10_p - exponent), exponent);
+}
+
+std::string sentence(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
+                     const std::string& key) {
+    const std::string file = display_name(arguments.files.input);
+    const double pf = arguments.options.pf;
+    const std::string p = power_of_ten(report.score.log10_p);
+    switch (report.verdict) {
+    case Verdict::present:
+        return fmt::format(
+            "present: {} carries the mark of {}. A random key scores like this with probability {} at "
+            "most.",
+            file, key, p);
+    case Verdict::absent:
+        return fmt::format(
+            "absent: {} does not carry the mark of {} (p = {}, and {:g} is asked for). A mark of the usual "
+            "strength would be missed with probability {}.",
+            file, key, p, pf, power_of_ten(std::log10(std::max(report.predicted_miss, 1e-300))));
+    default:
+        return fmt::format(
+            "inconclusive: nothing of {} was found in {} (p = {}), but this mesh is too small, too plain or "
+            "too damaged to say that the mark is absent: one of the usual strength would be missed with "
+            "probability {:.2g}.",
+            key, file, p, report.predicted_miss);
+    }
+}
+
+std::string figures(const pipeline::VerifyReport& report) {
+    std::string text = fmt::format(
+        "log10 p         {:.2f} (family-wise, {} hypotheses)\nscore           {:.2f} standard deviations; "
+        "{:.1f} expected of a mark of the usual strength\nbase vertices   {}\nbest            level {}, pose "
+        "{}",
+        report.score.log10_p, report.score.hypotheses, report.score.best.sigmas, report.expected_sigmas,
+        report.base_vertices, report.level, report.pose);
+    if (report.filter)
+        text += fmt::format(", filter t = {:g}, power {:g}", report.filter->t, report.filter->power);
+    const pipeline::PaperReport& paper = report.paper;
+    text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
+                        paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
+    if (report.null)
+        text +=
+            fmt::format("random keys     {} of {} reach the verdict \"present\"; uniformity of p: {:.3f}\n",
+                        report.null->false_positives, report.null->keys, report.null->p_uniformity);
+    return text;
+}
+
+ordered_json paper_json(const pipeline::PaperReport& paper) {
+    const detect::PaperStatistics& s = paper.statistics;
+    return {{"rho", s.rho},
+            {"threshold", paper.threshold},
+            {"n", s.n},
+            {"mu_r", s.mu_r},
+            {"sigma_r2", s.sigma_r2},
+            {"delta_mean", s.delta_mean},
+            {"delta_mean_square", s.delta_mean_square},
+            {"true_pf", std::pow(10, paper.log10_true_pf)},
+            {"log10_true_pf", paper.log10_true_pf},
+            {"log10_p", paper.log10_p}};
+}
+
+ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
+                     const key::Key& key) {
+    ordered_json json{{"input", arguments.files.input},
+                      {"key", key.fingerprint()},
+                      {"verdict", detect::name(report.verdict)},
+                      {"pf", arguments.options.pf},
+                      {"log10_p", report.score.log10_p},
+                      {"log10_p_is_bound", report.score.bound},
+                      {"hypotheses", report.score.hypotheses},
+                      {"detector", arguments.detector},
+                      {"resync", arguments.resync},
+                      {"sigmas", report.score.best.sigmas},
+                      {"expected_sigmas", report.expected_sigmas},
+                      {"predicted_miss", report.predicted_miss},
+                      {"base_vertices", report.base_vertices},
+                      {"level", report.level},
+                      {"pose", report.pose},
+                      {"paper", paper_json(report.paper)}};
+    if (report.filter)
+        json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
+    if (report.null)
+        json["null"] = {{"keys", report.null->keys},
+                        {"false_positives", report.null->false_positives},
+                        {"p_uniformity", report.null->p_uniformity}};
+    return json;
+}
+
+int run(const VerifyArguments& arguments, Output& output) {
+    const key::Key key = key::Key::load(arguments.key);
+    const io::Model model = read_input(arguments.files);
+    const pipeline::VerifyReport report =
+        pipeline::verify(model.mesh(), key, arguments.options, output.progress());
+    const std::string name =
+        key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());
+    output.print(output.toned(sentence(arguments, report, name), tone(report.verdict)) + "\n");
+    if (!output.quiet())
+        output.print(figures(report));
+    output.print_json(to_json(arguments, report, key));
+    return arguments.exit_zero ? exit_done : exit_status(report.verdict);
+}
+
+void add_options(CLI::App& app, VerifyArguments& arguments) {
+    add_input(app, arguments.files);
+    app.add_option("--key", arguments.key, "Owner's key file")->option_text("FILE (required)")->required();
+    app.add_option("--pf", arguments.options.pf, "False-positive probability of the verdict [1e-6]")
+        ->option_text("P")
+        ->check(probability());
+    app.add_option("--detector", arguments.detector,
+                   "whitened: exactly calibrated; paper: eq. (4) and (6) word for word [whitened]")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"whitened", "paper"}));
+    app.add_option("--resync", arguments.resync,
+                   "pca: all four signs of the principal axes; none: the first alone [pca]")
+        ->option_text("NAME")
+        ->check(CLI::IsMember({"pca", "none"}));
+    app.add_option("--vertices", arguments.options.vertices, "Vertices to simplify the suspect to [20000]")
+        ->option_text("N")
+        ->check(number_between(4, 1e8));
+    app.add_option("--null-keys", arguments.options.null_keys, "Also score N random keys on this mesh")
+        ->option_text("N")
+        ->check(number_between(1, 1e8));
+    app.add_option("--null-seed", arguments.options.null_seed, "Which random keys [1]")->option_text("S");
+    app.add_flag("--exit-zero", arguments.exit_zero, "Exit with 0 whatever the verdict");
+}
+
+} // namespace
+
+Action declare_verify(CLI::App& app) {
+    const auto arguments = std::make_shared<VerifyArguments>();
+    app.description("Says whether the mark of a key is in a mesh: present, absent, or inconclusive where the "
+                    "mesh can't tell.\n"
+                    "The probability that it names is exact for this very mesh: how often a random key "
+                    "scores like this.\n"
+                    "Needs the key file alone. Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
+    add_options(app, *arguments);
+    app.footer("Examples:\n  wm3d verify suspect.obj --key museum.key\n"
+               "  wm3d verify suspect.ply --key museum.key --pf 1e-9 --json\n"
+               "  wm3d verify any.stl --key museum.key --pf 0.05 --null-keys 200");
+    return [arguments](Output& output) {
+        arguments->options.detector =
+            arguments->detector == "paper" ? pipeline::Detector::paper : pipeline::Detector::whitened;
+        arguments->options.resync =
+            arguments->resync == "none" ? pipeline::Resync::none : pipeline::Resync::pca;
+        return run(*arguments, output);
+    };
+}
+
+} // namespace wm3d::cmd

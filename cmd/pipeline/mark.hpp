@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  From a mesh and a key to the marked positions (section 2.2 of the paper).
+#pragma once
+
+#include <optional>
+
+#include <wm3d/embed/embed.hpp>
+
+#include "pipeline/examination.hpp"
+
+namespace wm3d::pipeline {
+
+struct MarkOptions {
+    /// Area-weighted RMS of the move along the surface normal, % of the bounding box's diagonal.
+    double strength = default_strength;
+    std::optional<double> gamma;                ///< of eq. (3), instead of a strength
+    std::size_t vertices = default_vertices;    ///< of the base domain
+    std::optional<unsigned> level;              ///< of the watermarking sphere; must be one of the key's
+    std::optional<double> rmax;                 ///< height of the bumps; the key's own if not given
+    double pf = default_pf;                     ///< at which the mark has to be found again
+};
+
+struct Marked {
+    std::vector<Vec3> positions; ///< #V, in the coordinates of the mesh
+    Frame frame;
+    std::size_t base_vertices = 0;
+    unsigned level = 0;
+    double rmax = 0;
+    double gamma = 0;
+    double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
+    embed::Distortion distortion; ///< in units of the mesh
+};
+
+/// Marks a mesh: base domain by MAPS, eq. (3) on its vertices, reconstruction.
+/// \throw ParameterError  if the key does not admit the level, or an option is out of range
+/// \throw GeometryError   if the mesh has no area, or no radial move shows on it
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress = {});
+
+/// What can be said before a file is written.
+struct Forecast {
+    double expected_sigmas = 0; ///< score of the unattacked mark in the best filter
+    double predicted_miss = 1;  ///< at `pf`
+};
+
+/// What verify would find on the marked mesh, told from the unmarked one.
+/// \throw GeometryError  if the mesh has no area
+Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+                  const Progress& progress = {});
+
+/// Distortion in % of the bounding box's diagonal.
+embed::Distortion percent(const embed::Distortion& distortion, double diagonal);
+
+} // namespace wm3d::pipeline

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  From a suspect and a key to a verdict.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include <wm3d/detect/verdict.hpp>
+
+#include "pipeline/examination.hpp"
+
+namespace wm3d::pipeline {
+
+enum class Detector { whitened, paper };
+
+struct VerifyOptions {
+    double pf = default_pf;
+    Detector detector = Detector::whitened;
+    Resync resync = Resync::pca;
+    std::size_t vertices = default_vertices;
+    std::size_t null_keys = 0;       ///< random keys to score on the same mesh
+    std::uint64_t null_seed = 1;     ///< which random keys
+};
+
+/// The paper's detector on this suspect, in the pose and at the level that serve it or the deciding detector best.
+struct PaperReport {
+    detect::PaperStatistics statistics;
+    double threshold = 0;    ///< eq. (6) at the verdict's P_f
+    double log10_true_pf = 0; ///< what P_f that threshold truly has on this mesh, over random keys
+    double log10_p = 0;      ///< exact, of this rho alone
+};
+
+/// What random keys score on the same mesh.
+struct NullReport {
+    std::size_t keys = 0;
+    std::size_t false_positives = 0; ///< at the verdict's P_f, by the deciding detector
+    double p_uniformity = 1; ///< Kolmogorov-Smirnov: how likely the exact p of random keys stray as far from uniform
+};
+
+struct VerifyReport {
+    detect::Verdict verdict = detect::Verdict::inconclusive;
+    detect::FamilyScore score;
+    unsigned level = 0; ///< of the best hypothesis
+    std::size_t pose = 0;
+    std::optional<detect::Filter> filter; ///< none with the paper's detector
+    std::size_t base_vertices = 0;
+    double expected_sigmas = 0; ///< of a mark of the key's reference strength
+    double predicted_miss = 1;
+    PaperReport paper;
+    std::optional<NullReport> null;
+};
+
+/// Whether the key's mark is in the suspect.
+/// \throw GeometryError  if the mesh has no area
+VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options,
+                    const Progress& progress = {});
+
+} // namespace wm3d::pipeline
