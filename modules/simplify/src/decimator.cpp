@@ -180,7 +180,8 @@ void Decimator::collapse(Index v, Index kept_place) {
     }
     const Index kept = ring_[kept_place];
     if (observer_)
-        observer_->collapse({v, kept, closed_, ring_, spokes_});
+        observer_->collapse({v, kept, closed_, ring_, spokes_,
+                             spokes_.size() == 1 ? mesh_.edges[next(spokes_[0])].twin : no_index});
 
     const double total = cost(v, kept);
     Quadric& quadric = sites_.quadric[kept];

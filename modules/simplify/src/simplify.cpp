@@ -109,7 +109,7 @@ Result run(const TriangleMesh& mesh, const Options& options, Observer* observer,
     const Numbering numbering = number_survivors(half_edges);
     const std::vector<Index> faces = extract(mesh, half_edges, input.input_vertex, numbering, result);
     if (observer)
-        observer->finish(faces, numbering.base_vertex);
+        observer->finish(faces);
     report(progress, "simplify", 1);
     return result;
 }

@@ -30,6 +30,9 @@ struct Collapse {
     /// 3 face + k; one per ring vertex if closed, one fewer if open. The triangles on both sides of the edge
     /// (one if open) vanish, the others survive with `kept` at that corner.
     std::span<const Index> corners;
+    /// If no triangle of the ring survives (an ear of the boundary is cut off): the corner at ring[1] of the triangle
+    /// beyond the edge between ring[0] and ring[1]; the next corner of that triangle is at ring[0]. Else no_index.
+    Index beyond = no_index;
 };
 
 /// Told of each step of a simplification, in order, from one thread.
@@ -39,9 +42,8 @@ public:
     /// Before the first collapse. The spans live until `finish` returns.
     virtual void start(const WorkingSurface& surface) = 0;
     virtual void collapse(const Collapse& step) = 0;
-    /// After the last. Triangle t of the base mesh is working face faces[t], its corners in the same order;
-    /// working vertex w is base vertex base_vertex[w], or no_index if it was removed.
-    virtual void finish(std::span<const Index> faces, std::span<const Index> base_vertex) = 0;
+    /// After the last. Triangle t of the base mesh is working face faces[t], its corners in the same order.
+    virtual void finish(std::span<const Index> faces) = 0;
 };
 
 } // namespace wm3d::simplify
