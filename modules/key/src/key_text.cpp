@@ -18,6 +18,7 @@
 #include <wm3d/mesh/error.hpp>
 
 #include "sodium.hpp"
+#include "utf8.hpp"
 
 namespace wm3d::key {
 
@@ -86,6 +87,8 @@ std::optional<Secret> parse_secret(std::string_view text) {
 std::string_view fault_of_name(std::string_view name) {
     if (name.size() > 200)
         return "the name is longer than 200 bytes";
+    if (!is_utf8(name))
+        return "the name is not UTF-8";
     if (std::ranges::any_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
         return "the name has a line end or another control character";
     if (name.starts_with(' ') || name.ends_with(' '))
@@ -200,6 +203,8 @@ Key Key::parse(std::string_view text, std::string_view file_name) {
     parameters.reference_strength = fields.take("reference-strength", parse_number<double>);
     std::string created_by = fields.take("created-by", as_text);
     fields.expect_no_more();
+    if (!is_utf8(created_by))
+        fields.fail("created-by is not UTF-8");
     for (const std::string_view fault : {fault_of_name(name), fault_of_parameters(parameters)})
         if (!fault.empty())
             fields.fail(fault);

@@ -109,6 +109,15 @@ TEST_CASE("what is no key file is told from a key file of a newer version") {
     CHECK(says(replaced(std::string(frozen), "version 1", "version 2"), "understands version 1"));
 }
 
+TEST_CASE("names that are not UTF-8 are refused") {
+    for (const char* name :
+         {"\x80", "a\xc3", "\xc3(", "\xc0\xaf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xff", "\xe2\x82"})
+        CHECK_THROWS_AS(Key::generate(name), ParameterError);
+    for (const char* name : {"\x7e", "\xc2\xa0", "\xdf\xbf", "\xed\x9f\xbf", "\xee\x80\x80",
+                             "\xf0\x9f\x97\xbf", "\xf4\x8f\xbf\xbf"})
+        CHECK(Key::generate(name).name() == name);
+}
+
 TEST_CASE("names and parameters out of range are refused") {
     CHECK_THROWS_AS(Key::generate("two\nlines"), ParameterError);
     CHECK_THROWS_AS(Key::generate(" space"), ParameterError);
