@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Eq. (3): r_w = r + gamma (R_P - R) = r + gamma Delta.
 #include <wm3d/embed.hpp>
+#include <wm3d/key.hpp>
 #include <wm3d/sphere.hpp>
 
 #include "support/triangles.hpp"
@@ -16,6 +17,12 @@ sphere::BumpedSphere sphere_of(const spec::Vector& vector) {
 }
 
 } // namespace
+
+TEST_CASE("W has one height per vertex of the sphere, at every level") {
+    CHECK(key::max_level == sphere::max_level);
+    for (unsigned level = 0; level <= sphere::max_level; ++level)
+        CHECK(key::sequence_length(level) == sphere::Icosphere(level).vertices().size());
+}
 
 TEST_CASE("R_P and Delta are those of the ray and the bumped mesh") {
     spec::Vectors("eq_03.json").each([](const spec::Vector& vector) {
