@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/metrics/msdm2.hpp>
+
+#include <algorithm>
+
+#include <doctest/doctest.h>
+#include <wm3d/mesh.hpp>
+#include <wm3d/shapes.hpp>
+
+using namespace wm3d;
+using namespace wm3d::metrics;
+
+namespace {
+
+/// Vertices moved along their normals, alternating, by a share of the box diagonal in %.
+TriangleMesh roughened(const TriangleMesh& mesh, double percent) {
+    TriangleMesh rough = mesh;
+    const double height = percent / 100 * surface_box(mesh).diagonal();
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    for (std::size_t v = 0; v < rough.positions.size(); ++v)
+        rough.positions[v] += (v % 3 == 0 ? height : -height / 2) * normals[v];
+    return rough;
+}
+
+double distance(const TriangleMesh& a, const TriangleMesh& b) { return msdm2(SurfaceTree(a), SurfaceTree(b)); }
+
+} // namespace
+
+TEST_CASE("the same surface is at 0, and roughness counts more the more of it there is") {
+    const TriangleMesh mesh = shapes::blob(20000, 1);
+    CHECK(distance(mesh, mesh) < 1e-9);
+    double last = 0;
+    for (double percent : {0.01, 0.05, 0.2}) {
+        const double d = distance(mesh, roughened(mesh, percent));
+        CHECK(d > last);
+        CHECK(d < 1);
+        last = d;
+    }
+    CHECK(last > 0.3);
+}
+
+TEST_CASE("a smooth change of the same size is seen less than a rough one") {
+    const TriangleMesh mesh = shapes::blob(20000, 1);
+    TriangleMesh stretched = mesh;
+    for (Vec3& p : stretched.positions)
+        p[0] *= 1.004; // moves of the order of 0.2 % of the diagonal
+    CHECK(distance(mesh, stretched) < 0.3 * distance(mesh, roughened(mesh, 0.2)));
+}
+
+TEST_CASE("it is symmetric and free of scale") {
+    const TriangleMesh mesh = shapes::blob(5000, 1);
+    const TriangleMesh rough = roughened(mesh, 0.1);
+    const auto scaled = [](TriangleMesh m) {
+        for (Vec3& p : m.positions)
+            p *= 1000;
+        return m;
+    };
+    const double d = distance(mesh, rough);
+    CHECK(distance(rough, mesh) == doctest::Approx(d).epsilon(0.02)); // windows are shares of the first box
+    CHECK(distance(scaled(mesh), scaled(rough)) == doctest::Approx(d).epsilon(1e-6));
+}
+
+TEST_CASE("local distances say where") {
+    const TriangleMesh mesh = shapes::blob(20000, 1);
+    TriangleMesh half = roughened(mesh, 0.1);
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        if (mesh.positions[v][2] > 0)
+            half.positions[v] = mesh.positions[v];
+    const std::vector<double> field = msdm2_field(half, SurfaceTree(mesh));
+    double above = 0, below = 0;
+    for (std::size_t v = 0; v < field.size(); ++v)
+        (mesh.positions[v][2] > 0.1 ? above : below) += field[v];
+    CHECK(above < 0.01 * below);
+    CHECK(*std::max_element(field.begin(), field.end()) < 1.2); // (1 + 1 + 0.5 * 2) / 2.5
+}
