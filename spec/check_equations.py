@@ -28,11 +28,15 @@ def cited(text):
 
 
 def declared(root, function):
-    """Whether a public header of the module that the name belongs to declares the function in its namespace."""
-    namespace, _, name = function.rpartition("::")
-    return any(f"namespace {namespace} " in text and re.search(rf"\b{name}\(", text)
-               for header in root.glob("modules/*/include/**/*.hpp")
-               for text in [header.read_text(encoding="utf-8")])
+    """Whether a public header declares the function in its namespace, or in its class and that class's namespace."""
+    scope, _, name = function.rpartition("::")
+    outer, _, last = scope.rpartition("::")
+    for header in root.glob("modules/*/include/**/*.hpp"):
+        text = header.read_text(encoding="utf-8")
+        in_scope = f"namespace {scope} " in text or (f"namespace {outer} " in text and f"class {last} " in text)
+        if in_scope and re.search(rf"\b{name}\(", text):
+            return True
+    return False
 
 
 def faults_of_entry(root, entry):

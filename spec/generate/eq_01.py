@@ -6,43 +6,9 @@ Part one: points of triangles. Part two: a vertex is removed from a small mesh; 
 the vertex gets its coordinates in the triangle of ring vertices in which the origin then lies. Which triangle that is
 depends on the vertex it collapsed into, so all triangles that hold the origin are listed.
 """
-import itertools
-
-from common import U, Numbers, Suite, exact, mp, mpf
-from triangles import barycentric, combine, condition, dot, length, minus
-
-
-def flatten(centre, ring, closed):
-    """Ring vertices in the plane about the centre, which goes to the origin."""
-    spokes = [minus(p, centre) for p in ring]
-    pairs = list(zip(spokes, spokes[1:] + spokes[:1])) if closed else list(zip(spokes, spokes[1:]))
-    angles = [mp.acos(dot(a, b) / (length(a) * length(b))) for a, b in pairs]
-    power = (2 if closed else 1) * mp.pi / sum(angles)
-    plane, angle = [], mpf(0)
-    for spoke, step in zip(spokes, angles + [mpf(0)]):
-        r = length(spoke) ** power
-        plane.append([r * mp.cos(power * angle), r * mp.sin(power * angle)])
-        angle += step
-    return plane
-
-
-def places(centre, ring, closed):
-    """(ring numbers, weights) of every triangle, or of the one edge of an open ring, that holds the origin."""
-    plane = flatten(centre, ring, closed)
-    if not closed:
-        first, last = length(plane[0]), length(plane[-1])
-        return [((0, len(ring) - 1), [last / (first + last), first / (first + last)])]
-    found = []
-    for triple in itertools.combinations(range(len(ring)), 3):
-        weights = barycentric([mpf(0), mpf(0)], [plane[k] for k in triple])
-        if min(weights) > 0:
-            found.append((triple, weights))
-    return found
-
-
-def polar(radius, angle, height):
-    """A point with coordinates of few bits near the given cylindrical ones."""
-    return [round(64 * x) / 64 for x in (float(radius * mp.cos(angle)), float(radius * mp.sin(angle)), height)]
+from common import U, Numbers, Suite, exact, mp
+from flattening import places, polar
+from triangles import barycentric, combine, condition
 
 
 def add_points(suite):
