@@ -82,8 +82,8 @@ void GltfFile::split_chunks() {
 void GltfFile::parse_json() {
     try {
         json_ = Json::parse(text_.begin(), text_.end());
-    } catch (const Json::exception& error) {
-        source_.fail(fmt::format("its JSON is damaged or cut short ({})", error.what()));
+    } catch (const Json::parse_error& error) {
+        source_.fail(fmt::format("its JSON is damaged or cut short near its byte {}", error.byte));
     }
     if (!json_.is_object() || !json_.contains("asset"))
         source_.fail("its JSON has no \"asset\", so it is no glTF file");
@@ -124,7 +124,8 @@ void GltfFile::load(std::size_t number) {
         buffer.bytes = buffer.own;
     } else {
         if (!resolver_)
-            source_.fail(fmt::format("buffer {} is in another file ({}), which is out of reach here", number, text));
+            source_.fail(fmt::format("buffer {} is in another file ({}), which is out of reach here", number,
+                                     text.substr(0, 60)));
         buffer.own = resolver_(percent_decoded(text));
         buffer.bytes = buffer.own;
     }

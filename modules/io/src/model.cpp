@@ -80,7 +80,7 @@ Resolver resolver_beside(const std::filesystem::path& path) {
         if (leaves)
             throw InputError(fmt::format("{}: its buffer {} lies outside the file's folder and is not read; "
                                          "put the buffer beside the file",
-                                         path.string(), uri));
+                                         path.string(), uri.substr(0, 60)));
         return read_file(path.parent_path() / relative);
     };
 }

@@ -244,9 +244,9 @@ void check_counts(const Source& source, const PlyHeader& header) {
 
 template <typename Body>
 Document read_body(const Source& source, const PlyHeader& header) {
-    check_counts<Body>(source, header);
     const PlyElement& vertex = find_vertex_element(source, header);
     const CoordinateProperties xyz = find_coordinates(source, vertex);
+    check_counts<Body>(source, header);
     Body body(source, header, vertex, xyz);
     Document document;
     Polygons faces;

@@ -21,16 +21,26 @@ std::size_t line_of(std::string_view bytes, std::size_t offset) {
     return line;
 }
 
+/// A message that quotes parts of a damaged file stays one short line of plain characters.
+std::string plain(std::string_view message) {
+    constexpr std::size_t longest = 300;
+    std::string line(message.substr(0, longest));
+    for (char& c : line)
+        if (c < ' ' || c > '~')
+            c = '?';
+    return message.size() > longest ? line + "..." : line;
+}
+
 } // namespace
 
-void Source::fail(std::string_view what) const { throw InputError(fmt::format("{}: {}", name, what)); }
+void Source::fail(std::string_view what) const { throw InputError(fmt::format("{}: {}", name, plain(what))); }
 
 void Source::fail_in_line(std::size_t offset, std::string_view what) const {
-    throw InputError(fmt::format("{}, line {}: {}", name, line_of(bytes, offset), what));
+    throw InputError(fmt::format("{}, line {}: {}", name, line_of(bytes, offset), plain(what)));
 }
 
 void Source::fail_at_byte(std::size_t offset, std::string_view what) const {
-    throw InputError(fmt::format("{}, byte {}: {}", name, offset, what));
+    throw InputError(fmt::format("{}, byte {}: {}", name, offset, plain(what)));
 }
 
 } // namespace wm3d::io

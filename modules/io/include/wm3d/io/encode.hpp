@@ -16,11 +16,11 @@ namespace wm3d::io {
 using Color = std::array<std::uint8_t, 3>;
 
 struct EncodeOptions {
-    bool ascii = false;               ///< PLY and STL: text instead of little-endian binary
-    bool double_precision = false;    ///< PLY: coordinates as double instead of float
-    std::vector<Color> vertex_colors; ///< #V or empty; PLY, OFF, OBJ, GLB and glTF
-    std::vector<Color> face_colors;   ///< #F or empty; PLY, OFF, GLB and glTF (corners are then unshared)
-    std::string comment;              ///< one line; PLY, OBJ, OFF, and glTF's generator
+    bool ascii = false;                 ///< PLY and STL: text instead of little-endian binary
+    bool double_precision = false;      ///< PLY: coordinates as double instead of float
+    std::vector<Color> vertex_colors{}; ///< #V or empty; PLY, OFF, OBJ, GLB and glTF
+    std::vector<Color> face_colors{};   ///< #F or empty; PLY, OFF, GLB and glTF (corners are then unshared)
+    std::string comment{};              ///< one line; PLY, OBJ, OFF, and glTF's generator
 };
 
 /// Bytes of a file that holds `mesh`. Text formats write the shortest decimals that read back to the same

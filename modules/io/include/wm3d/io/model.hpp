@@ -80,7 +80,7 @@ using Resolver = std::function<std::string(std::string_view uri)>;
 Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver = {});
 
 struct ReadOptions {
-    std::optional<Format> format; ///< default: by the file's extension
+    std::optional<Format> format{}; ///< default: by the file's extension
 };
 
 /// Reads a mesh file. External buffers of glTF are looked for below the file's folder only.

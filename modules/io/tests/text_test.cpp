@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../src/text.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+using namespace wm3d::io;
+
+namespace {
+
+double number(std::string_view text) {
+    double value = std::nan("");
+    return parse_number(text.data(), text.data() + text.size(), value) == nullptr ? std::nan("") : value;
+}
+
+std::string styled(std::initializer_list<std::string_view> seen, double value) {
+    TextStyle style;
+    for (std::string_view text : seen)
+        style.learn(text);
+    char out[400];
+    return std::string(style.format(value, out));
+}
+
+} // namespace
+
+TEST_CASE("numbers are read exactly") {
+    CHECK(number("0.1") == 0.1);
+    CHECK(number("+1.5e3") == 1500);
+    CHECK(number("-.5") == -0.5);
+    CHECK(number("81.56099999999999") == 81.56099999999999);
+    CHECK(number("1e-999") == 0);
+    CHECK(number("0.00000000000000000001") == 1e-20);
+    CHECK(std::isnan(number("1e999")));
+    CHECK(std::isnan(number("+-1")));
+    CHECK(std::isnan(number("x")));
+    CHECK(std::isnan(number("")));
+}
+
+TEST_CASE("numbers are written as the file writes them") {
+    CHECK(styled({"0.127940", "-0.002287"}, 0.1234567) == "0.123457");
+    CHECK(styled({"0.5", "1", "0.125"}, 0.3) == "0.300");
+    CHECK(styled({"-8.32331e-02", "1.00000e+00"}, 0.1234567) == "1.23457e-01");
+    CHECK(styled({"1e-06", "15.3644"}, 15.123456) == "15.1235");
+    CHECK(styled({"1", "25"}, 7.6) == "8");
+}
+
+TEST_CASE("rounding is what writing and reading gives") {
+    TextStyle style;
+    style.learn("0.123");
+    CHECK(style.round(1.23456) == 1.235);
+    CHECK(style.step(1.0) == doctest::Approx(1e-3));
+    style.learn("1.5e-7");
+    CHECK(style.step(2000) == doctest::Approx(10)); // three significant digits
+}
+
+TEST_CASE("the longest possible numbers fit") {
+    const double huge = std::numeric_limits<double>::max();
+    CHECK(number(styled({"0.12345678901234567890"}, -huge)) == -huge);
+    CHECK(number(styled({"1.2345678901234567890e5", "1"}, -huge)) == doctest::Approx(-huge));
+}
