@@ -75,14 +75,12 @@ void Examination::make_family() {
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength) const {
     const double move = strength / 100 * diagonal_;
-    double best = 0;
-    for (std::size_t f = 0; f < evidence_->filters(); ++f) {
-        const detect::LinearStatistic statistic = evidence_->statistic(f, rows(0, level), options_.rmax);
-        if (statistic.sigma() > 0)
-            best = std::max(best, evidence_->expected_shift(f, rows(0, level), sequences(level), move) /
-                                      statistic.sigma());
-    }
-    return best;
+    std::vector<double> sigmas(evidence_->filters());
+    const std::span<const double> w = sequences(level);
+    parallel_blocks(sigmas.size(), 1, [&](std::size_t f, std::size_t) {
+        sigmas[f] = evidence_->expected_sigmas(f, rows(0, level), w, options_.rmax, move);
+    });
+    return *std::ranges::max_element(sigmas);
 }
 
 double Examination::gamma(Sequences& sequences, unsigned level, double strength) const {

@@ -34,19 +34,19 @@ double median(std::vector<double> values) {
 }
 
 /// Weights (local variance)^-power of the residual, scaled so that their median is about 1.
-std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<const double> e, double power,
-                                     const EvidenceOptions& options) {
+std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<const double> e, const Filter& filter,
+                                     double variance_floor) {
     std::vector<double> g(e.size(), 1.0);
-    if (power == 0 || e.empty())
+    if (filter.power == 0 || e.empty())
         return g;
     std::vector<double> squares(e.size());
     std::transform(e.begin(), e.end(), squares.begin(), [](double x) { return x * x; });
-    const std::vector<double> variance = surface.low_pass(options.variance_t, {std::move(squares)}).front();
+    const std::vector<double> variance = surface.low_pass(filter.variance_t, {std::move(squares)}).front();
     const double typical = median(variance);
     if (!(typical > 0)) // a polyhedron of flat sides: nothing to tell rough from smooth
         return g;
     for (std::size_t i = 0; i < g.size(); ++i)
-        g[i] = std::pow(std::max(variance[i], 0.0) / typical + options.variance_floor, -power);
+        g[i] = std::pow(std::max(variance[i], 0.0) / typical + variance_floor, -filter.power);
     return g;
 }
 
@@ -61,22 +61,15 @@ Evidence::Evidence(const TriangleMesh& base, EvidenceOptions options)
     const std::span<const double> area = surface_.mass();
     for (const Filter& filter : options_.filters) {
         const std::vector<double> e = normal_residual(base, normals, surface_.low_pass(filter.t, x));
-        std::vector<double> weight = residual_weights(surface_, e, filter.power, options_);
-        std::vector<double> y(e.size());
-        for (std::size_t i = 0; i < y.size(); ++i) {
-            weight[i] *= area[i];
-            y[i] = weight[i] * e[i];
-        }
-        const std::vector<double> low = surface_.low_pass_transposed(filter.t, y);
-        for (std::size_t i = 0; i < y.size(); ++i)
-            y[i] = visibility_[i] * (y[i] - low[i]);
-        weights_.push_back(std::move(weight));
-        template_.push_back(std::move(y));
+        weights_.push_back(residual_weights(surface_, e, filter, options_.variance_floor));
+        for (std::size_t i = 0; i < e.size(); ++i)
+            weights_.back()[i] *= area[i];
+        weighed_.push_back(weigh(weighed_.size(), e));
     }
 }
 
 LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {
-    return {sphere::multiply_transposed(rows, template_[f]), rmax};
+    return {sphere::multiply_transposed(rows, weighed_[f]), rmax};
 }
 
 std::vector<double> Evidence::normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
@@ -101,18 +94,18 @@ double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w
     return unit > 0 ? move / unit : 0;
 }
 
-double Evidence::expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
-                                double move) const {
-    const std::vector<double> q = normal_bumps(rows, w);
+double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
+                                 double move) const {
+    std::vector<double> q = normal_bumps(rows, w);
     const double unit = rms(q);
     if (!(unit > 0))
         return 0;
-    // With e increased by gamma HP q, T grows by gamma (HP q)^T diag(a g) (HP q).
-    const std::vector<double> h = high_pass(options_.filters[f].t, q);
-    double shift = 0;
-    for (std::size_t i = 0; i < h.size(); ++i)
-        shift += weights_[f][i] * h[i] * h[i];
-    return move / unit * shift;
+    for (double& x : q)
+        x *= move / unit;
+    const std::vector<double> e = high_pass(options_.filters[f].t, q); // what the mark adds to the residual
+    const LinearStatistic own(sphere::multiply_transposed(rows, weigh(f, e)), rmax);
+    const double sigma = std::hypot(statistic(f, rows, rmax).sigma(), own.sigma());
+    return sigma > 0 ? own.value(w) / sigma : 0;
 }
 
 std::vector<double> Evidence::high_pass(double t, std::span<const double> x) const {
@@ -121,6 +114,16 @@ std::vector<double> Evidence::high_pass(double t, std::span<const double> x) con
     for (std::size_t i = 0; i < h.size(); ++i)
         h[i] -= low[i];
     return h;
+}
+
+std::vector<double> Evidence::weigh(std::size_t f, std::span<const double> e) const {
+    std::vector<double> y(e.size());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = weights_[f][i] * e[i];
+    const std::vector<double> low = surface_.low_pass_transposed(options_.filters[f].t, y);
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] = visibility_[i] * (y[i] - low[i]);
+    return y;
 }
 
 } // namespace wm3d::detect

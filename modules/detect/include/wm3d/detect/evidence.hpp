@@ -16,14 +16,13 @@ namespace wm3d::detect {
 struct Filter {
     double t;     ///< time of the diffusion that is taken away, in units of mean radius squared
     double power; ///< the residual counts as (local variance)^-power: 0 plain, 1 as on a host of varying roughness
+    double variance_t; ///< time of the diffusion that averages the local variance; short where creases are sharp
 };
 
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/detector.md says how these
     /// were chosen.
-    std::vector<Filter> filters{{3e-5, 1.0}, {2e-4, 0.5}, {1e-3, 0.5}};
-    /// Time of the diffusion that averages the local variance.
-    double variance_t = 3e-3;
+    std::vector<Filter> filters{{3e-5, 1.0, 3e-4}, {2e-4, 0.5, 3e-3}, {1e-3, 0.5, 3e-3}};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
@@ -49,20 +48,23 @@ public:
     /// mean radius); 0 if no gamma does.
     double gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const;
 
-    /// Expected T, less its null mean 0, if this very mesh carried the mark of `w` with an area-weighted
-    /// root mean square normal move `move` (in units of mean radius).
-    double expected_shift(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double move) const;
+    /// Expected score, in standard deviations of the null distribution, if this very mesh carried the mark of `w`
+    /// with an area-weighted root mean square normal move `move` (in units of mean radius). The mark's own residual
+    /// widens the null distribution too, which bounds the score however strong the mark.
+    double expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
+                           double move) const;
 
 private:
     std::vector<double> normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
     double rms(std::span<const double> x) const;
     std::vector<double> high_pass(double t, std::span<const double> x) const;
+    std::vector<double> weigh(std::size_t f, std::span<const double> e) const;
 
     EvidenceOptions options_;
     SurfaceFilter surface_;
     std::vector<double> visibility_;
     std::vector<std::vector<double>> weights_;  ///< per filter: a_i g_i
-    std::vector<std::vector<double>> template_; ///< per filter: diag(d.n) HP^T (a g e)
+    std::vector<std::vector<double>> weighed_;  ///< per filter: diag(d.n) HP^T (a g e)
 };
 
 } // namespace wm3d::detect
