@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "command_attack.hpp"
+#include "command_compare.hpp"
 #include "command_info.hpp"
 #include "command_keygen.hpp"
 #include "command_mark.hpp"
@@ -20,6 +22,12 @@ constexpr std::array table{
     Command{"keygen", "Marks", "make an owner's key", declare_keygen},
     Command{"mark", "Marks", "hide a key's mark in a mesh", declare_mark},
     Command{"verify", "Marks", "say whether a key's mark is in a mesh", declare_verify},
+#ifdef WM3D_WITH_ATTACK
+    Command{"attack", "Robustness", "do to a mesh what may happen to it", declare_attack},
+#endif
+#ifdef WM3D_WITH_METRICS
+    Command{"compare", "Robustness", "tell how far apart two meshes are", declare_compare},
+#endif
     Command{"simplify", "Parts of the method", "simplify a mesh to a number of vertices", declare_simplify},
     Command{"sphere", "Parts of the method", "write the watermarking sphere as a mesh", declare_sphere},
     Command{"info", "Meshes", "tell what a mesh file holds", declare_info},
