@@ -70,7 +70,7 @@ std::vector<std::string> notes(const Facts& facts) {
     else if (facts.frame->gap(0) < 0.02 || facts.frame->gap(1) < 0.02)
         notes.emplace_back(
             "Two principal axes are nearly equal: a turned copy may need --resync or a reference.");
-    if (facts.coordinate_step > 1e-4 * facts.box.diagonal())
+    if (facts.frame && facts.coordinate_step > 1e-4 * facts.box.diagonal())
         notes.emplace_back("The file's coordinates are coarse: a weak mark would be lost in their rounding.");
     if (t.non_manifold_edges + t.misoriented_edges > 0)
         notes.emplace_back("Some edges are no manifold; their vertices stay in the coarse mesh.");
@@ -82,9 +82,11 @@ std::vector<std::string> notes(const Facts& facts) {
 
 std::string sentence(const std::string& name, const Facts& facts) {
     const Topology& t = facts.topology;
-    const std::string kind = t.closed() && facts.triangles > 0 ? "a closed surface"
-                             : t.boundary_edges > 0            ? "an open surface"
-                                                               : "a surface that is no manifold";
+    if (facts.triangles == 0)
+        return fmt::format("{} holds no surface: all its faces are single points or lines.\n", name);
+    const std::string_view kind = t.closed()             ? "a closed surface"
+                                  : t.boundary_edges > 0 ? "an open surface"
+                                                         : "a surface without boundary that is no manifold";
     return fmt::format("{} holds {} of {} triangles in {} part{}.\n", name, kind, facts.triangles,
                        t.components, t.components == 1 ? "" : "s");
 }
@@ -103,14 +105,13 @@ std::string as_text(const std::string& name, const Facts& facts) {
     line("vertices", fmt::format("{} ({} stored, {} isolated)", facts.vertices, facts.stored_vertices,
                                  t.isolated_vertices));
     line("triangles", fmt::format("{} ({} degenerate)", facts.triangles, t.degenerate_triangles));
-    line("boundary", fmt::format("{} loops of {} edges", t.boundary_loops, t.boundary_edges));
+    line("boundary loops", fmt::format("{} ({} edges)", t.boundary_loops, t.boundary_edges));
     line("non-manifold edges", fmt::format("{} ({} misoriented)", t.non_manifold_edges, t.misoriented_edges));
     line("box", fmt::format("{} to {}, diagonal {:.6g}", triple(facts.box.min), triple(facts.box.max),
                             facts.box.diagonal()));
     line("area", fmt::format("{:.6g}", facts.area));
     line("volume", facts.volume ? fmt::format("{:.6g}", *facts.volume) : "not closed");
-    line("coordinate step", fmt::format("{:.3g}, {:.2g} % of the diagonal", facts.coordinate_step,
-                                        100 * facts.coordinate_step / facts.box.diagonal()));
+    line("coordinate step", fmt::format("{:.3g}", facts.coordinate_step));
     if (facts.frame) {
         line("centroid", triple(facts.frame->frame.centroid));
         line("mean radius", fmt::format("{:.6g}", facts.frame->frame.scale));

@@ -46,8 +46,10 @@ Action declare_sample(CLI::App& app) {
     add_output(app, options->files);
     app.add_option("--faces", options->faces, "Triangles, met within a few percent [100000]")
         ->option_text("N")
-        ->check(number_between(double(shapes::sample_min_faces), double(shapes::sample_max_faces)));
-    app.add_option("--seed", options->seed, "Number that draws the relief [1]")->option_text("S");
+        ->check(whole_number_between(shapes::sample_min_faces, shapes::sample_max_faces));
+    app.add_option("--seed", options->seed, "Number that draws the relief [1]")
+        ->option_text("S")
+        ->check(whole_number_between(0, std::numeric_limits<std::uint64_t>::max()));
     app.footer("Example:\n  wm3d sample -o ewer.ply");
     return [options](Output& output) { return run(*options, output); };
 }

@@ -67,7 +67,7 @@ Action declare_simplify(CLI::App& app) {
     app.add_option("--vertices", options->simplify.target_vertices, "Vertices to keep")
         ->option_text("N (required)")
         ->required()
-        ->check(number_between(1, 1e9));
+        ->check(whole_number_between(1, 1'000'000'000));
     app.footer("Example:\n  wm3d simplify bunny.obj -o base.ply --vertices 10000");
     return [options](Output& output) { return run(*options, output); };
 }

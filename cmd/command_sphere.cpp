@@ -68,10 +68,11 @@ Action declare_sphere(CLI::App& app) {
     auto* key = app.add_option("--key", options->key, "Key file whose bumps to show")->option_text("FILE");
     app.add_option("--seed", options->seed, "Number that draws bumps without a key [1]")
         ->option_text("N")
+        ->check(whole_number_between(0, std::numeric_limits<std::uint64_t>::max()))
         ->excludes(key);
     app.add_option("--level", options->level, "Subdivisions of the icosahedron, 20 * 4^level faces [5]")
         ->option_text("L")
-        ->check(number_between(0, sphere::max_level));
+        ->check(whole_number_between(0, sphere::max_level));
     app.add_option("--rmax", options->rmax, "Height of the bumps [0.1]")
         ->option_text("R")
         ->check(positive_number());

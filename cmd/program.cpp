@@ -45,20 +45,11 @@ std::string overview() {
     return text;
 }
 
-/// CLI11's complaint as a sentence that goes on.
-std::string as_clause(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == '.' || text.back() == ' '))
-        text.pop_back();
-    for (std::size_t at; (at = text.find('\n')) != std::string::npos;)
-        text.replace(at, 1, " ");
-    return text;
-}
-
 int run_command(const Command& command, std::span<char* const> arguments) {
     const std::string name = fmt::format("wm3d {}", command.name);
     CLI::App app{std::string(command.summary), name};
     app.get_formatter()->column_width(32);
-    app.set_help_flag("-h,--help", "Print this help and exit")->group("Output");
+    app.set_help_flag();
     const Action action = command.declare(app);
     OutputOptions options;
     add_output_options(app, options);
@@ -66,10 +57,10 @@ int run_command(const Command& command, std::span<char* const> arguments) {
         // CLI11 takes the arguments last first.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        write_all(STDOUT_FILENO, app.help());
+        write_all(STDOUT_FILENO, help_text(app));
         return exit_done;
     } catch (const CLI::ParseError& error) {
-        return complain(name, fmt::format("{}; see '{} --help'.", as_clause(error.what()), name));
+        return complain(name, usage_complaint(app, error));
     }
     const ThreadLimit limit(options.threads);
     Output output(std::string(command.name), options);

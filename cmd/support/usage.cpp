@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/usage.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include "support/suggest.hpp"
 
 namespace wm3d::cmd {
 
@@ -16,6 +21,38 @@ double parse_number(const std::string& text) {
     return CLI::detail::lexical_cast(text, value) ? value : std::nan("");
 }
 
+/// One line, without the full stop that our own sentence brings.
+std::string as_clause(std::string text) {
+    std::ranges::replace(text, '\n', ' ');
+    text.erase(text.find_last_not_of(". ") + 1);
+    return text;
+}
+
+/// Long names of the options, with their hyphens.
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+/// What is not expected: an option that doesn't exist, or a word too many.
+std::string complaint_about_extras(const CLI::App& app) {
+    const std::vector<std::string> extras = app.remaining();
+    const auto option =
+        std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+    if (option == extras.end())
+        return fmt::format("there is nothing that '{}' could mean here",
+                           extras.empty() ? "" : extras.front());
+    const std::string name = option->substr(0, option->find('='));
+    const std::vector<std::string> names = option_names(app);
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    if (const auto near = nearest_name(name, views))
+        return fmt::format("'{}' is not an option; did you mean '{}'", name, *near) + "?";
+    return fmt::format("'{}' is not an option", name);
+}
+
 } // namespace
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
@@ -24,8 +61,40 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
     app.add_flag("-v,--verbose", options.verbose, "Say what happens on the way")->group("Output");
     app.add_option("--threads", options.threads, "Threads to use; the result is the same with any number")
         ->option_text("N")
-        ->check(number_between(1, 4096))
+        ->check(whole_number_between(1, 4096))
         ->group("Output");
+    app.set_help_flag("-h,--help", "Print this help and exit")->group("Output");
+}
+
+std::string help_text(const CLI::App& app) {
+    std::string text = app.help();
+    // CLI11 leaves two empty lines between groups and none above the usage.
+    for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;)
+        text.erase(at, 1);
+    if (const std::size_t at = text.find("\nUsage: "); at != std::string::npos)
+        text.insert(at, "\n");
+    if (!text.ends_with('\n'))
+        text += '\n';
+    return text;
+}
+
+std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
+    const bool extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    const std::string clause = extras ? complaint_about_extras(app) : as_clause(error.what());
+    return clause.ends_with('?') ? clause : fmt::format("{}; see '{} --help'.", clause, app.get_name());
+}
+
+CLI::Validator whole_number_between(std::uint64_t low, std::uint64_t high) {
+    return CLI::Validator(
+        [low, high](std::string& text) {
+            std::uint64_t value = 0;
+            const char* end = text.data() + text.size();
+            const auto [stop, error] = std::from_chars(text.data(), end, value);
+            return error == std::errc() && stop == end && value >= low && value <= high
+                       ? std::string()
+                       : fmt::format("'{}' is not a whole number from {} to {}", text, low, high);
+        },
+        "");
 }
 
 CLI::Validator number_between(double low, double high) {

@@ -2,20 +2,30 @@
 /// \file  What the command lines of all commands have in common.
 #pragma once
 
-#include <limits>
+#include <cstdint>
 #include <string>
 
 #include "support/output.hpp"
 
 namespace CLI {
 class App;
+class ParseError;
 class Validator;
 } // namespace CLI
 
 namespace wm3d::cmd {
 
-/// Adds --json (if the command has a result to tell), -q, -v and --threads to `app`.
+/// Adds --json, -q, -v, --threads and --help to `app`; last, so that the help lists them last.
 void add_output_options(CLI::App& app, OutputOptions& options);
+
+/// The help of a command.
+std::string help_text(const CLI::App& app);
+
+/// What is wrong with a command line, as one sentence that says what would mend it.
+std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error);
+
+/// Accepts whole numbers of [low, high].
+CLI::Validator whole_number_between(std::uint64_t low, std::uint64_t high);
 
 /// Accepts finite numbers of [low, high]; unlike CLI11's own range it refuses "nan".
 CLI::Validator number_between(double low, double high);
