@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/parallel.hpp>
@@ -40,7 +41,7 @@ Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options
     base_ = to_frame(simplified.mesh, frame_);
     report(progress, "examining the surface", 0);
     parallel_invoke([&] { evidence_ = std::make_unique<detect::Evidence>(base_, options_.evidence); },
-                    [&] { make_rows({}); });
+                    [&] { make_rows(); });
     make_family();
     report(progress, "examining the surface", 1);
 }
@@ -53,16 +54,12 @@ const sphere::SparseRows& Examination::rows(std::size_t pose, unsigned level) co
     return rows_[pose * options_.levels.size() + level_number(level)];
 }
 
-void Examination::make_rows(const Progress&) {
-    rows_.resize(turns_.size() * options_.levels.size());
-    for (std::size_t l = 0; l < options_.levels.size(); ++l) {
-        const sphere::Icosphere sphere(options_.levels[l]);
-        for (std::size_t pose = 0; pose < turns_.size(); ++pose) {
-            std::vector<Vec3> directions(base_.positions.size());
-            std::ranges::transform(base_.positions, directions.begin(),
-                                   [&](const Vec3& p) -> Vec3 { return turns_[pose] * p; });
-            rows_[pose * options_.levels.size() + l] = sphere::barycentric_rows(sphere, directions);
-        }
+void Examination::make_rows() {
+    const sphere::Icosphere finest(std::ranges::max(options_.levels));
+    for (const Mat3& turn : turns_) {
+        std::vector<Vec3> directions(base_.positions.size());
+        std::ranges::transform(base_.positions, directions.begin(), [&](const Vec3& p) -> Vec3 { return turn * p; });
+        std::ranges::move(sphere::barycentric_rows(finest, directions, options_.levels), std::back_inserter(rows_));
     }
 }
 

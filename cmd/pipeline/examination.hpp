@@ -66,7 +66,7 @@ public:
 
 private:
     std::size_t level_number(unsigned level) const;
-    void make_rows(const Progress& progress);
+    void make_rows();
     void make_family();
 
     ExaminationOptions options_;

@@ -41,6 +41,8 @@ Real miss_argument(double gamma, std::size_t n, double delta_mean_square, double
 /// log10 of erfc(x)/2.
 double log10_half_erfc(Real x) {
     constexpr Real beyond = 100; // erfc of the extended format underflows at 106
+    if (x < 0) // P_m is near 1: keep the digits of its distance from 1
+        return static_cast<double>(std::log1p(-std::erfc(-x) / 2) / std::numbers::ln10_v<Real>);
     if (x < beyond)
         return static_cast<double>(std::log10(std::erfc(x) / 2));
     // Three terms of the asymptotic series: the first left out is below 2e-11 of the probability.

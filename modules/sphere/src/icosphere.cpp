@@ -60,7 +60,16 @@ SphereLocation Icosphere::locate(const Vec3& direction) const {
         const auto furthest = std::ranges::max_element(beyond);
         face = 4 * face + (*furthest > 0 ? static_cast<std::size_t>(furthest - beyond.begin()) : 3);
     }
-    const Triangle& corners = faces_.back()[face];
+    return in_face(d, level(), face);
+}
+
+SphereLocation Icosphere::coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const {
+    // Face f of a level lies in face f / 4 of the level before.
+    return in_face(unit(direction), level, fine.face >> (2 * (this->level() - level)));
+}
+
+SphereLocation Icosphere::in_face(const Vec3& d, unsigned level, std::size_t face) const {
+    const Triangle& corners = faces_[level][face];
     const Vec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
     Vec3 weights{side(d, b, c), side(d, c, a), side(d, a, b)};
     weights = weights.cwiseMax(0.0); // rounding may leave a point on an edge a hair outside

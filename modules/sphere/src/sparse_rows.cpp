@@ -1,21 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/sphere/sparse_rows.hpp>
 
+#include <utility>
+
+#include <fmt/format.h>
+
+#include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::sphere {
 
+namespace {
+
+SparseRows empty_rows(unsigned level, std::size_t rows) {
+    return {10 * (std::size_t{1} << (2 * level)) + 2, std::vector<Triangle>(rows),
+            std::vector<std::array<double, 3>>(rows)};
+}
+
+void set_row(SparseRows& matrix, std::size_t i, const SphereLocation& at) {
+    matrix.indices[i] = at.vertices;
+    matrix.weights[i] = {at.barycentric[0], at.barycentric[1], at.barycentric[2]};
+}
+
+} // namespace
+
 SparseRows barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions) {
-    SparseRows matrix{sphere.vertices().size(), std::vector<Triangle>(directions.size()),
-                      std::vector<std::array<double, 3>>(directions.size())};
+    const unsigned level = sphere.level();
+    return std::move(barycentric_rows(sphere, directions, std::span(&level, 1)).front());
+}
+
+std::vector<SparseRows> barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions,
+                                         std::span<const unsigned> levels) {
+    std::vector<SparseRows> matrices;
+    for (unsigned level : levels) {
+        if (level > sphere.level())
+            throw ParameterError(fmt::format("level {} is finer than the sphere, which has level {}", level,
+                                             sphere.level()));
+        matrices.push_back(empty_rows(level, directions.size()));
+    }
     parallel_blocks(directions.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const SphereLocation at = sphere.locate(directions[i]);
-            matrix.indices[i] = at.vertices;
-            matrix.weights[i] = {at.barycentric[0], at.barycentric[1], at.barycentric[2]};
+            const SphereLocation fine = sphere.locate(directions[i]);
+            for (std::size_t l = 0; l < levels.size(); ++l)
+                set_row(matrices[l], i,
+                        levels[l] == sphere.level() ? fine : sphere.coarser(directions[i], fine, levels[l]));
         }
     });
-    return matrix;
+    return matrices;
 }
 
 std::vector<double> multiply(const SparseRows& matrix, std::span<const double> w) {

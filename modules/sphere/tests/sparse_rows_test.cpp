@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include <doctest/doctest.h>
+#include <wm3d/mesh/error.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
 
 #include "directions.hpp"
@@ -37,4 +38,26 @@ TEST_CASE("no directions give no rows") {
     const SparseRows b = barycentric_rows(Icosphere(2), {});
     CHECK(b.rows() == 0);
     CHECK(multiply_transposed(b, {}) == std::vector<double>(b.columns, 0.0));
+}
+
+TEST_CASE("the rows of coarser levels are those of the coarser spheres") {
+    const std::vector<Vec3> directions{{1, 0.2, -0.3}, {0, 0, 1}, {-0.4, 0.7, 0.1}, {0.3, -0.9, 0.5}, {0, -1, 0}};
+    const std::vector<unsigned> levels{1, 3, 4};
+    const std::vector<SparseRows> together = barycentric_rows(Icosphere(4), directions, levels);
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        const Icosphere own(levels[l]);
+        const SparseRows alone = barycentric_rows(own, directions);
+        CHECK(together[l].columns == alone.columns);
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            // On an edge another face may be found: compare the points.
+            Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+            for (std::size_t k = 0; k < 3; ++k) {
+                a += together[l].weights[i][k] * own.vertices()[together[l].indices[i][k]];
+                b += alone.weights[i][k] * own.vertices()[alone.indices[i][k]];
+            }
+            CHECK((a - b).norm() < 1e-12);
+        }
+    }
+    const std::vector<unsigned> finer{5};
+    CHECK_THROWS_AS(barycentric_rows(Icosphere(4), directions, finer), ParameterError);
 }

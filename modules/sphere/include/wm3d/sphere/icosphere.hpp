@@ -45,10 +45,16 @@ public:
     /// is right. \pre  the coordinates are finite
     SphereLocation locate(const Vec3& direction) const;
 
+    /// Where the same direction meets the sphere of a coarser level, given its place on this one.
+    /// \pre  level <= this->level(); fine == locate(direction)
+    SphereLocation coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const;
+
     /// `locate` for every direction, in parallel.
     std::vector<SphereLocation> locate(std::span<const Vec3> directions) const;
 
 private:
+    SphereLocation in_face(const Vec3& unit_direction, unsigned level, std::size_t face) const;
+
     std::vector<Vec3> vertices_;
     std::vector<std::vector<Triangle>> faces_; ///< of level 0, 1, ..., level
     std::array<Vec3, 20> centres_;             ///< of the icosahedron's faces
