@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/report/render.hpp>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <wm3d/mesh/error.hpp>
+
+using namespace wm3d::report;
+
+namespace {
+
+Plot example() {
+    Plot plot{"ROC", "P_f", "P_m", {}, 1e-30};
+    plot.curves.push_back({.name = "predicted", .points = {{1e-6, 1e-2}, {1e-3, 1e-5}}});
+    plot.curves.push_back({.name = "measured",
+                           .style = Curve::Style::points,
+                           .colour = 1,
+                           .points = {{1e-4, 1e-3, 1e-4, 1e-2}}});
+    return plot;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST_CASE("a plot without points is refused before any program runs") {
+    CHECK_THROWS_AS(render(Plot{}, Image::svg), wm3d::ParameterError);
+}
+
+TEST_CASE("gnuplot draws every curve with its name, the labels and the intervals") {
+    if (!can_render()) {
+        fmt::print("SKIPPED: gnuplot is not installed\n");
+        return;
+    }
+    const std::string svg = render(example(), Image::svg);
+    for (const char* part : {"<svg", "predicted", "measured", "P_f", "P_m", "ROC", "</svg>"})
+        CHECK_MESSAGE(contains(svg, part), part);
+    const std::string png = render(example(), Image::png);
+    CHECK(png.starts_with("\x89PNG"));
+}
