@@ -94,16 +94,19 @@ double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w
     return unit > 0 ? move / unit : 0;
 }
 
-double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
-                                 double move) const {
+LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                                         double rmax, double move) const {
     std::vector<double> q = normal_bumps(rows, w);
     const double unit = rms(q);
-    if (!(unit > 0))
-        return 0;
     for (double& x : q)
-        x *= move / unit;
+        x *= unit > 0 ? move / unit : 0;
     const std::vector<double> e = high_pass(options_.filters[f].t, q); // what the mark adds to the residual
-    const LinearStatistic own(sphere::multiply_transposed(rows, weigh(f, e)), rmax);
+    return {sphere::multiply_transposed(rows, weigh(f, e)), rmax};
+}
+
+double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
+                                 double move) const {
+    const LinearStatistic own = mark_statistic(f, rows, w, rmax, move);
     const double sigma = std::hypot(statistic(f, rows, rmax).sigma(), own.sigma());
     return sigma > 0 ? own.value(w) / sigma : 0;
 }

@@ -48,6 +48,11 @@ public:
     /// mean radius); 0 if no gamma does.
     double gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const;
 
+    /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean radius), adds
+    /// to T if it sits on this very mesh, vertex for vertex: its own residual takes the host's place in c.
+    LinearStatistic mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                                   double rmax, double move) const;
+
     /// Expected score, in standard deviations of the null distribution, if this very mesh carried the mark of `w`
     /// with an area-weighted root mean square normal move `move` (in units of mean radius). The mark's own residual
     /// widens the null distribution too, which bounds the score however strong the mark.
