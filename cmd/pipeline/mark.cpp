@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include <wm3d/detect/verdict.hpp>
-#include <wm3d/maps/base_domain.hpp>
 #include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
@@ -27,13 +26,17 @@ unsigned level_of(const key::Key& key, const MarkOptions& options) {
     return level;
 }
 
-double gamma_of(const MarkOptions& options, double unit_rms, double diagonal) {
-    if (options.gamma)
-        return *options.gamma;
+double gamma_of(double strength, double unit_rms, double diagonal) {
     if (!(unit_rms > 0))
         throw GeometryError("no radial move of this surface shows along its normals, so it can't be marked; a closed "
                             "or curved model can");
-    return options.strength / 100 * diagonal / unit_rms;
+    return strength / 100 * diagonal / unit_rms;
+}
+
+maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices, const Progress& progress) {
+    simplify::Options options;
+    options.target_vertices = vertices;
+    return maps::parameterize(canonical, options, progress);
 }
 
 Forecast forecast_on(const Examination& host, const key::Key& key, const MarkOptions& options, double strength) {
@@ -66,38 +69,47 @@ Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptio
     return forecast_on(host, key, options, options.strength);
 }
 
-Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress) {
-    Marked marked;
-    marked.level = level_of(key, options);
-    marked.rmax = options.rmax.value_or(key.parameters().rmax);
-    marked.frame = canonical_frame(mesh);
-    marked.diagonal = surface_box(mesh).diagonal();
+Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress)
+    : mesh_(mesh), frame_(canonical_frame(mesh)), diagonal_(surface_box(mesh).diagonal()),
+      canonical_(to_frame(mesh, frame_)), domain_(base_domain(canonical_, vertices, progress)),
+      detailed_(canonical_, domain_.mesh, domain_.point) {}
 
-    const TriangleMesh canonical = to_frame(mesh, marked.frame);
-    simplify::Options base_options;
-    base_options.target_vertices = options.vertices;
-    const maps::BaseDomain domain = maps::parameterize(canonical, base_options, progress);
-    marked.base_vertices = domain.mesh.positions.size();
-
-    report(progress, "marking", 0);
-    const sphere::BumpedSphere bumped(sphere::Icosphere(marked.level),
-                                      key::watermark_sequence(key.secret(), marked.level, marked.rmax));
-    const std::vector<double> delta = bumped.deltas(domain.mesh.positions);
-    const embed::DetailedMesh detailed(canonical, domain.mesh, domain.point);
-    // The move is linear in gamma: one trial tells the gamma of any strength.
-    constexpr double trial = 1e-3;
-    const auto moved_by = [&](double gamma) {
-        return detailed.reconstruct(embed::mark_base(domain.mesh.positions, delta, gamma));
+Marked Marker::mark(const key::Secret& secret, unsigned level, double rmax, double strength,
+                    std::optional<double> gamma) const {
+    const sphere::BumpedSphere bumped(sphere::Icosphere(level), key::watermark_sequence(secret, level, rmax));
+    const std::vector<double> delta = bumped.deltas(domain_.mesh.positions);
+    const auto moved_by = [&](double factor) {
+        return detailed_.reconstruct(embed::mark_base(domain_.mesh.positions, delta, factor));
     };
-    const double unit_rms = embed::distortion(canonical, moved_by(trial)).normal_rms / trial;
-    marked.gamma = gamma_of(options, unit_rms, marked.diagonal / marked.frame.scale);
+    Marked marked;
+    marked.level = level;
+    marked.rmax = rmax;
+    marked.frame = frame_;
+    marked.diagonal = diagonal_;
+    marked.base_vertices = domain_.mesh.positions.size();
+    if (gamma) {
+        marked.gamma = *gamma;
+    } else {
+        // The move is linear in gamma: one trial tells the gamma of any strength.
+        constexpr double trial = 1e-3;
+        const double unit_rms = embed::distortion(canonical_, moved_by(trial)).normal_rms / trial;
+        marked.gamma = gamma_of(strength, unit_rms, diagonal_ / frame_.scale);
+    }
     const std::vector<Vec3> moved = moved_by(marked.gamma);
-
-    marked.positions = mesh.positions;
+    marked.positions = mesh_.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
-        if (moved[i] != canonical.positions[i]) // what did not move keeps its exact coordinates
-            marked.positions[i] = marked.frame.from_canonical(moved[i]);
-    marked.distortion = embed::distortion(mesh, marked.positions);
+        if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
+            marked.positions[i] = frame_.from_canonical(moved[i]);
+    marked.distortion = embed::distortion(mesh_, marked.positions);
+    return marked;
+}
+
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress) {
+    const unsigned level = level_of(key, options); // before any work
+    const Marker marker(mesh, options.vertices, progress);
+    report(progress, "marking", 0);
+    Marked marked = marker.mark(key.secret(), level, options.rmax.value_or(key.parameters().rmax), options.strength,
+                                options.gamma);
     report(progress, "marking", 1);
     return marked;
 }

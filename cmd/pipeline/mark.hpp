@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <wm3d/embed/embed.hpp>
+#include <wm3d/maps/base_domain.hpp>
 
 #include "pipeline/examination.hpp"
 
@@ -29,6 +30,31 @@ struct Marked {
     double gamma = 0;
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
+};
+
+/// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to outlive it.
+class Marker {
+public:
+    /// \throw GeometryError  if the mesh has no area
+    Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
+    Marker(const Marker&) = delete;
+    Marker& operator=(const Marker&) = delete;
+
+    const maps::BaseDomain& domain() const { return domain_; } ///< in the canonical frame
+
+    /// Eq. (3) on the base vertices and reconstruction, with the strength of MarkOptions or else gamma of eq. (3).
+    /// May be called from several threads.
+    /// \throw GeometryError  if no radial move shows on the mesh
+    Marked mark(const key::Secret& secret, unsigned level, double rmax, double strength,
+                std::optional<double> gamma = std::nullopt) const;
+
+private:
+    const TriangleMesh& mesh_;
+    Frame frame_;
+    double diagonal_;
+    TriangleMesh canonical_;
+    maps::BaseDomain domain_;
+    embed::DetailedMesh detailed_; ///< refers to `domain_`
 };
 
 /// Marks a mesh: base domain by MAPS, eq. (3) on its vertices, reconstruction.
