@@ -18,7 +18,7 @@ using Counts = std::vector<std::vector<std::size_t>>; // statistics by probabili
 /// The paper's rho against eq. (6), which looks at the moments of the key's own bumps.
 struct PaperRule {
     std::vector<double> radii;
-    const sphere::SparseRows& rows;
+    sphere::SparseRows rows;
     std::vector<double> unit_thresholds; ///< per probability: T_rho for unit variances and mean 0, times sqrt(n)
 
     void count(std::span<const double> w, std::vector<std::size_t>& passed) const {
@@ -41,7 +41,7 @@ TailCounts paper_expectation(const Examination& suspect, unsigned level, const s
     TailCounts counts{"paper, eq. (6)", {}, {}};
     Sequences sequences(key::null_secret(0, 0), suspect.options().rmax);
     const std::vector<double> radii = suspect.radii();
-    const sphere::SparseRows& rows = suspect.rows(0, level);
+    const sphere::SparseRows rows = suspect.rows(0, level);
     const auto statistics = detect::paper_statistics(radii, sphere::multiply(rows, sequences(level)));
     const auto linear = detect::paper_statistic(radii, rows, suspect.options().rmax);
     for (double p : pf)
@@ -56,8 +56,9 @@ Calibration calibrate(const Examination& suspect, unsigned level, std::size_t ke
     Calibration result{keys, pf, {}};
     std::vector<detect::LinearStatistic> statistics;
     std::vector<std::vector<double>> thresholds;
+    const sphere::SparseRows rows = suspect.rows(0, level);
     for (std::size_t f = 0; f < suspect.evidence().filters(); ++f) {
-        statistics.push_back(suspect.evidence().statistic(f, suspect.rows(0, level), suspect.options().rmax));
+        statistics.push_back(suspect.evidence().statistic(f, rows, suspect.options().rmax));
         const detect::Filter filter = suspect.evidence().filter(f);
         result.counts.push_back({fmt::format("whitened, t = {:g}, power {:g}", filter.t, filter.power), pf, {}});
         thresholds.emplace_back();

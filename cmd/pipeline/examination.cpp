@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
+#include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/parallel.hpp>
+#include <wm3d/resync/hierarchical_frame.hpp>
 
 namespace wm3d::pipeline {
 
@@ -16,77 +17,104 @@ unsigned default_level(const key::PublicParameters& parameters) {
     return *std::ranges::min_element(parameters.levels, {}, distance);
 }
 
-namespace {
-
-/// Turns that take the canonical frame to its other sign choices.
-std::vector<Mat3> turns(Resync resync) {
-    if (resync == Resync::none)
-        return {Mat3::Identity()};
-    std::vector<Mat3> result;
-    for (const Frame& frame : sign_choices(Frame{}))
-        result.push_back(frame.axes);
-    return result;
+Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress) {
+    simplify::Options options;
+    options.target_vertices = vertices;
+    simplify::Result simplified = simplify::simplify(mesh, options, progress);
+    return {mesh, std::move(simplified.mesh), simplified.stop};
 }
 
-} // namespace
-
 Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options, const Progress& progress)
-    : options_(std::move(options)), turns_(turns(options_.resync)) {
-    frame_ = canonical_frame(suspect);
-    diagonal_ = surface_box(suspect).diagonal() / frame_.scale;
-    simplify::Options simplification;
-    simplification.target_vertices = options_.vertices;
-    simplify::Result simplified = simplify::simplify(suspect, simplification, progress);
-    stop_ = simplified.stop;
-    base_ = to_frame(simplified.mesh, frame_);
+    : Examination(simplify_suspect(suspect, options.vertices, progress), options, progress) {}
+
+Examination::Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress)
+    : options_(std::move(options)), finest_(std::ranges::max(options_.levels)),
+      base_vertices_(suspect.base.positions.size()), diagonal_(surface_box(suspect.mesh).diagonal()),
+      stop_(suspect.stop) {
     report(progress, "examining the surface", 0);
-    parallel_invoke([&] { evidence_ = std::make_unique<detect::Evidence>(base_, options_.evidence); },
-                    [&] { make_rows(); });
+    make_poses(suspect, progress);
+    for (View& view : views_)
+        view.base = to_frame(suspect.base, view.frame);
+    parallel_blocks(views_.size(), 1, [&](std::size_t v, std::size_t) {
+        views_[v].evidence = std::make_unique<detect::Evidence>(views_[v].base, options_.evidence);
+    });
     make_family();
     report(progress, "examining the surface", 1);
 }
 
-std::size_t Examination::level_number(unsigned level) const {
-    return static_cast<std::size_t>(std::ranges::find(options_.levels, level) - options_.levels.begin());
+void Examination::make_poses(const Suspect& suspect, const Progress& progress) {
+    if (options_.resync == Resync::none)
+        add_pose({canonical_frame(suspect.mesh), "canonical frame"});
+    if (options_.resync == Resync::pca)
+        for (const resync::CandidatePose& candidate :
+             resync::candidate_poses(resync::estimate_frame(suspect.mesh, suspect.base, {}, progress)))
+            add_pose(candidate);
+    for (const resync::CandidatePose& candidate : options_.poses)
+        add_pose(candidate);
+    if (poses_.empty())
+        throw ParameterError("there is no pose to examine the suspect in; give a receipt or a reference, or let the "
+                             "suspect's own axes tell it");
 }
 
-const sphere::SparseRows& Examination::rows(std::size_t pose, unsigned level) const {
-    return rows_[pose * options_.levels.size() + level_number(level)];
+void Examination::add_pose(const resync::CandidatePose& candidate) {
+    const Frame& frame = candidate.frame;
+    const auto shares_centre_and_scale = [&](const View& view) {
+        return view.frame.centroid == frame.centroid && view.frame.scale == frame.scale;
+    };
+    const auto found = std::ranges::find_if(views_, shares_centre_and_scale);
+    Pose pose{candidate, static_cast<std::size_t>(found - views_.begin()), Mat3::Identity()};
+    if (found == views_.end())
+        views_.push_back({frame, {}, nullptr});
+    pose.turn = frame.axes * views_[pose.view].frame.axes.transpose();
+    poses_.push_back(std::move(pose));
 }
 
-void Examination::make_rows() {
-    const sphere::Icosphere finest(std::ranges::max(options_.levels));
-    for (const Mat3& turn : turns_) {
-        std::vector<Vec3> directions(base_.positions.size());
-        std::ranges::transform(base_.positions, directions.begin(), [&](const Vec3& p) -> Vec3 { return turn * p; });
-        std::ranges::move(sphere::barycentric_rows(finest, directions, options_.levels), std::back_inserter(rows_));
-    }
+std::vector<sphere::SparseRows> Examination::rows(std::size_t pose, std::span<const unsigned> levels) const {
+    std::vector<Vec3> directions = view(pose).base.positions;
+    for (Vec3& direction : directions)
+        direction = poses_[pose].turn * direction;
+    return sphere::barycentric_rows(finest_, directions, levels);
+}
+
+sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
+    return std::move(rows(pose, std::span(&level, 1)).front());
 }
 
 void Examination::make_family() {
-    for (std::size_t pose = 0; pose < turns_.size(); ++pose)
-        for (unsigned level : options_.levels)
-            for (std::size_t f = 0; f < evidence_->filters(); ++f)
-                family_.push_back({evidence_->statistic(f, rows(pose, level), options_.rmax), level, pose, f});
+    const std::size_t filters = options_.evidence.filters.size(), levels = options_.levels.size();
+    std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
+    parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
+        const std::vector<sphere::SparseRows> of_level = rows(pose, options_.levels);
+        for (std::size_t l = 0; l < levels; ++l)
+            for (std::size_t f = 0; f < filters; ++f)
+                of_pose[pose].push_back(
+                    {evidence(pose).statistic(f, of_level[l], options_.rmax), options_.levels[l], pose, f});
+    });
+    for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
+        std::ranges::move(hypotheses, std::back_inserter(family_));
 }
 
-double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength) const {
-    const double move = strength / 100 * diagonal_;
-    std::vector<double> sigmas(evidence_->filters());
+double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose) const {
+    const double move = strength / 100 * diagonal_ / view(pose).frame.scale;
+    const detect::Evidence& seen = evidence(pose);
+    const sphere::SparseRows weights = rows(pose, level);
     const std::span<const double> w = sequences(level);
+    std::vector<double> sigmas(seen.filters());
     parallel_blocks(sigmas.size(), 1, [&](std::size_t f, std::size_t) {
-        sigmas[f] = evidence_->expected_sigmas(f, rows(0, level), w, options_.rmax, move);
+        sigmas[f] = seen.expected_sigmas(f, weights, w, options_.rmax, move);
     });
     return *std::ranges::max_element(sigmas);
 }
 
-double Examination::gamma(Sequences& sequences, unsigned level, double strength) const {
-    return evidence_->gamma(rows(0, level), sequences(level), strength / 100 * diagonal_);
+double Examination::gamma(Sequences& sequences, unsigned level, double strength, std::size_t pose) const {
+    return evidence(pose).gamma(rows(pose, level), sequences(level),
+                                strength / 100 * diagonal_ / view(pose).frame.scale);
 }
 
-std::vector<double> Examination::radii() const {
-    std::vector<double> r(base_.positions.size());
-    std::ranges::transform(base_.positions, r.begin(), [](const Vec3& p) { return p.norm(); });
+std::vector<double> Examination::radii(std::size_t pose) const {
+    const std::vector<Vec3>& positions = view(pose).base.positions;
+    std::vector<double> r(positions.size());
+    std::ranges::transform(positions, r.begin(), [](const Vec3& p) { return p.norm(); });
     return r;
 }
 

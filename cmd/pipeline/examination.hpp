@@ -13,6 +13,7 @@
 #include <wm3d/detect/paper_null.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/progress.hpp>
+#include <wm3d/resync/candidate_pose.hpp>
 #include <wm3d/simplify/simplify.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 
@@ -21,10 +22,11 @@
 
 namespace wm3d::pipeline {
 
-/// How the suspect's pose is found.
+/// Which poses of the suspect are examined, besides those that the caller gives.
 enum class Resync {
     none, ///< the canonical frame as the surface's moments give it, axis signs by the third moments
-    pca,  ///< the same with all four proper choices of axis signs
+    pca,  ///< those that hierarchical principal components leave possible (resync::candidate_poses)
+    icp,  ///< none: registration against a receipt or a reference gives them
 };
 
 struct ExaminationOptions {
@@ -32,51 +34,76 @@ struct ExaminationOptions {
     std::vector<unsigned> levels{3, 4, 5, 6}; ///< of the watermarking sphere, each tried
     double rmax = 0.1;
     Resync resync = Resync::pca;
+    std::vector<resync::CandidatePose> poses; ///< tried too, after those of `resync`; not to depend on any key
     detect::EvidenceOptions evidence;
 };
 
-/// Everything about a suspect that no key is needed for.
+/// A suspect and its base mesh, both in the suspect's own coordinates. The mesh has to outlive it.
+struct Suspect {
+    const TriangleMesh& mesh;
+    TriangleMesh base;
+    simplify::Stop stop = simplify::Stop::reached;
+};
+
+Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
+
+/// Everything about a suspect that no key is needed for. Poses that share centre and scale share the evidence.
 class Examination {
 public:
     /// \throw GeometryError  if the mesh has no area
     Examination(const TriangleMesh& suspect, ExaminationOptions options, const Progress& progress = {});
+    Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress = {});
 
     const ExaminationOptions& options() const { return options_; }
-    const Frame& frame() const { return frame_; }
-    const TriangleMesh& base() const { return base_; } ///< in the canonical frame
+    std::size_t base_vertices() const { return base_vertices_; }
     simplify::Stop stop() const { return stop_; }
-    const detect::Evidence& evidence() const { return *evidence_; }
-    std::size_t poses() const { return turns_.size(); }
+
+    std::size_t poses() const { return poses_.size(); }
+    const resync::CandidatePose& pose(std::size_t pose) const { return poses_[pose].candidate; }
+    const detect::Evidence& evidence(std::size_t pose = 0) const { return *view(pose).evidence; }
 
     /// Poses times levels times filters, each hypothesis with its linear statistic.
     std::span<const detect::Hypothesis> family() const { return family_; }
 
     /// Expected score, in standard deviations, of the best filter for a mark of this level whose area-weighted RMS
-    /// normal move is `strength` % of the bounding box's diagonal, in pose 0.
-    double expected_sigmas(Sequences& sequences, unsigned level, double strength) const;
+    /// normal move is `strength` % of the bounding box's diagonal.
+    double expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0) const;
 
-    /// gamma of eq. (3) that moves this base mesh by `strength` with the mark of this level, in pose 0.
-    double gamma(Sequences& sequences, unsigned level, double strength) const;
+    /// gamma of eq. (3) that moves this base mesh by `strength` with the mark of this level.
+    double gamma(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0) const;
 
-    /// Radii of the base vertices, in units of the mean radius.
-    std::vector<double> radii() const;
+    /// Radii of the base vertices in a pose, in units of its mean radius.
+    std::vector<double> radii(std::size_t pose = 0) const;
 
     /// B for the base vertices' directions in a pose.
-    const sphere::SparseRows& rows(std::size_t pose, unsigned level) const;
+    sphere::SparseRows rows(std::size_t pose, unsigned level) const;
 
 private:
-    std::size_t level_number(unsigned level) const;
-    void make_rows();
+    /// The base mesh around one centre and at one scale.
+    struct View {
+        Frame frame;
+        TriangleMesh base;
+        std::unique_ptr<detect::Evidence> evidence;
+    };
+    struct Pose {
+        resync::CandidatePose candidate;
+        std::size_t view = 0;
+        Mat3 turn = Mat3::Identity(); ///< from the view's axes to the pose's
+    };
+
+    const View& view(std::size_t pose) const { return views_[poses_[pose].view]; }
+    std::vector<sphere::SparseRows> rows(std::size_t pose, std::span<const unsigned> levels) const;
+    void make_poses(const Suspect& suspect, const Progress& progress);
+    void add_pose(const resync::CandidatePose& candidate);
     void make_family();
 
     ExaminationOptions options_;
-    Frame frame_;
-    double diagonal_ = 0; ///< of the suspect's box, in mean radii
-    TriangleMesh base_;
+    sphere::Icosphere finest_; ///< of the levels
+    std::size_t base_vertices_ = 0;
+    double diagonal_ = 0; ///< of the suspect's box
     simplify::Stop stop_ = simplify::Stop::reached;
-    std::unique_ptr<detect::Evidence> evidence_;
-    std::vector<Mat3> turns_;
-    std::vector<sphere::SparseRows> rows_; ///< poses by levels
+    std::vector<View> views_;
+    std::vector<Pose> poses_;
     std::vector<detect::Hypothesis> family_;
 };
 

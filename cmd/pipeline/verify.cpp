@@ -23,19 +23,18 @@ ExaminationOptions examination_options(const key::Key& key, const VerifyOptions&
 
 /// The paper's statistic in every pose and at every level, as a family of its own.
 std::vector<detect::Hypothesis> paper_family(const Examination& suspect) {
-    const std::vector<double> radii = suspect.radii();
     std::vector<detect::Hypothesis> family;
     for (std::size_t pose = 0; pose < suspect.poses(); ++pose)
         for (unsigned level : suspect.options().levels)
             family.push_back(
-                {detect::paper_statistic(radii, suspect.rows(pose, level), suspect.options().rmax), level, pose, 0});
+                {detect::paper_statistic(suspect.radii(pose), suspect.rows(pose, level), suspect.options().rmax), level, pose, 0});
     return family;
 }
 
 PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned level, Sequences& sequences,
                          double pf) {
-    const std::vector<double> radii = suspect.radii();
-    const sphere::SparseRows& rows = suspect.rows(pose, level);
+    const std::vector<double> radii = suspect.radii(pose);
+    const sphere::SparseRows rows = suspect.rows(pose, level);
     PaperReport report;
     report.statistics = detect::paper_statistics(radii, sphere::multiply(rows, sequences(level)));
     const detect::PaperStatistics& s = report.statistics;
@@ -81,7 +80,7 @@ VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyO
     const std::span<const detect::Hypothesis> family = paper ? std::span(of_paper) : suspect.family();
 
     VerifyReport report;
-    report.base_vertices = suspect.base().positions.size();
+    report.base_vertices = suspect.base_vertices();
     report.score = detect::score_family(family, sequences.function());
     const detect::Hypothesis& best = family[report.score.best.hypothesis];
     report.level = best.level;

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Finding the frame of the mark on a copy that was moved, scaled or cut.
+#pragma once
+
+#include <wm3d/resync/candidate_pose.hpp>
+#include <wm3d/resync/hierarchical_frame.hpp>
+#include <wm3d/resync/pose_template.hpp>
+#include <wm3d/resync/similarity.hpp>
