@@ -8,6 +8,7 @@
 #include "command_compare.hpp"
 #include "command_info.hpp"
 #include "command_keygen.hpp"
+#include "command_maps.hpp"
 #include "command_mark.hpp"
 #include "command_sample.hpp"
 #include "command_simplify.hpp"
@@ -29,6 +30,7 @@ constexpr std::array table{
     Command{"compare", "Robustness", "tell how far apart two meshes are", declare_compare},
 #endif
     Command{"simplify", "Parts of the method", "simplify a mesh to a number of vertices", declare_simplify},
+    Command{"maps", "Parts of the method", "map a mesh onto its base domain", declare_maps},
     Command{"sphere", "Parts of the method", "write the watermarking sphere as a mesh", declare_sphere},
     Command{"info", "Meshes", "tell what a mesh file holds", declare_info},
     Command{"sample", "Meshes", "write the built-in demonstration model", declare_sample},
