@@ -20,9 +20,13 @@ constexpr int unseen = -1;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<int, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>, CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<int, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel,
+                                               CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 /// Counts into every face's info how many constraints lie between it and the outside.
 void mark_depths(Triangulation& triangulation) {
@@ -72,13 +76,15 @@ void cap(TriangleMesh& mesh, const std::vector<std::array<Index, 2>>& outline, c
                 triangulation.insert_constraint(a, b);
         }
     } catch (const Triangulation::Intersection_of_constraints_exception&) {
-        throw GeometryError("the outline of the cut crosses itself because the surface does, so the cut can't be "
-                            "closed; leave it open, or cut elsewhere");
+        throw GeometryError(
+            "the outline of the cut crosses itself because the surface does, so the cut can't be "
+            "closed; leave it open, or cut elsewhere");
     }
     mark_depths(triangulation);
     for (auto face : triangulation.finite_face_handles())
         if (face->info() % 2 == 1)
-            mesh.triangles.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
+            mesh.triangles.push_back(
+                {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
 }
 
 } // namespace wm3d::attack

@@ -29,8 +29,9 @@ inline SurfaceMesh to_cgal(const TriangleMesh& mesh) {
     using Vertex = SurfaceMesh::Vertex_index;
     for (const Triangle& t : manifold.triangles)
         if (surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])) == SurfaceMesh::null_face())
-            throw GeometryError("the triangles around vertex " + std::to_string(t[0]) +
-                                " do not form a surface even after repair; repair the model in a mesh editor");
+            throw GeometryError(
+                "the triangles around vertex " + std::to_string(t[0]) +
+                " do not form a surface even after repair; repair the model in a mesh editor");
     return surface;
 }
 
@@ -54,7 +55,8 @@ inline TriangleMesh from_cgal(SurfaceMesh& surface) {
 }
 
 /// Runs `work`, turning CGAL's own failures into a sentence.
-template <typename Work> auto guarded(const char* what, Work&& work) {
+template<typename Work>
+auto guarded(const char* what, Work&& work) {
     try {
         return work();
     } catch (const CGAL::Failure_exception& failure) {

@@ -34,14 +34,16 @@ double cut_height(std::vector<double> heights, std::size_t removed) {
         for (const std::size_t gap : {kept - off, kept + off})
             if (gap > 0 && gap < heights.size() && heights[gap - 1] < heights[gap])
                 return std::midpoint(heights[gap - 1], heights[gap]);
-    throw GeometryError("all vertices lie in one plane across the direction of the cut, so the cut would leave all "
-                        "of them or none; choose another direction");
+    throw GeometryError(
+        "all vertices lie in one plane across the direction of the cut, so the cut would leave all "
+        "of them or none; choose another direction");
 }
 
 /// Keeps height(v) <= 0 of a mesh: whole triangles, and parts of those that cross.
 class Clipper {
 public:
-    Clipper(const TriangleMesh& mesh, std::vector<double> heights) : mesh_(mesh), height_(std::move(heights)) {
+    Clipper(const TriangleMesh& mesh, std::vector<double> heights)
+        : mesh_(mesh), height_(std::move(heights)) {
         result_.positions = mesh.positions;
     }
 
@@ -58,7 +60,8 @@ private:
     /// The vertex where edge a-b meets the plane, made on first use.
     Index crossing(Index a, Index b) {
         const auto [low, high] = std::minmax(a, b); // one order, so that both triangles agree to the last bit
-        const auto [at, is_new] = crossings_.try_emplace({low, high}, static_cast<Index>(result_.positions.size()));
+        const auto [at, is_new] =
+            crossings_.try_emplace({low, high}, static_cast<Index>(result_.positions.size()));
         if (is_new) {
             const double s = height_[low] / (height_[low] - height_[high]);
             result_.positions.push_back((1 - s) * mesh_.positions[low] + s * mesh_.positions[high]);
@@ -97,7 +100,8 @@ private:
 
 TriangleMesh crop(const TriangleMesh& mesh, const CropOptions& options, std::uint64_t seed) {
     if (!(options.percent > 0 && options.percent < 100))
-        throw ParameterError("the percentage of vertices to cut off must lie between 0 and 100, both excluded");
+        throw ParameterError(
+            "the percentage of vertices to cut off must lie between 0 and 100, both excluded");
     const Vec3 direction = options.normal ? *options.normal : random_direction(seed);
     if (!(direction.norm() > 0) || !direction.allFinite())
         throw ParameterError("the direction of the cut is zero; give one component other than 0");
@@ -108,8 +112,8 @@ TriangleMesh crop(const TriangleMesh& mesh, const CropOptions& options, std::uin
     heights.reserve(used.positions.size());
     for (const Vec3& p : used.positions)
         heights.push_back(normal.dot(p));
-    const auto removed = static_cast<std::size_t>(
-        std::llround(options.percent / 100 * static_cast<double>(heights.size())));
+    const auto removed =
+        static_cast<std::size_t>(std::llround(options.percent / 100 * static_cast<double>(heights.size())));
     const double level = cut_height(heights, removed);
     for (double& h : heights)
         h -= level;

@@ -6,7 +6,8 @@
 
 namespace wm3d::attack {
 
-/// Adds, for each connected set of border edges, the mean of its vertices and a triangle from each edge to it.
+/// Adds, for each connected set of border edges, the mean of its vertices and a triangle from each edge to
+/// it.
 TriangleMesh close_with_fans(const TriangleMesh& mesh);
 
 } // namespace wm3d::attack

@@ -9,7 +9,9 @@ namespace wm3d::attack {
 
 namespace {
 
-std::uint64_t edge_key(Index a, Index b) { return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b); }
+std::uint64_t edge_key(Index a, Index b) {
+    return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
 
 } // namespace
 
@@ -65,7 +67,9 @@ bool Flipper::is_flat(const Quad& q) const {
     const Vec3 before[] = {normal(q.a, q.b, q.c), normal(q.b, q.a, q.d)};
     const Vec3 after[] = {normal(q.a, q.d, q.c), normal(q.d, q.b, q.c)};
     const Vec3 common = (before[0] + before[1]).normalized();
-    const auto along_common = [&](const Vec3& n) { return n.norm() > 0 && n.dot(common) >= min_cosine_ * n.norm(); };
+    const auto along_common = [&](const Vec3& n) {
+        return n.norm() > 0 && n.dot(common) >= min_cosine_ * n.norm();
+    };
     return std::all_of(std::begin(before), std::end(before), along_common) &&
            std::all_of(std::begin(after), std::end(after), along_common);
 }
@@ -80,7 +84,8 @@ bool Flipper::may_flip(Index h) const {
 std::array<Index, 4> Flipper::flip(Index h) {
     const Index t = twin_[h];
     const auto [a, b, c, d] = quad(h);
-    const Index outer[] = {twin_[next(t)], twin_[previous(h)], twin_[previous(t)], twin_[next(h)]}; // ad ca db bc
+    const Index outer[] = {twin_[next(t)], twin_[previous(h)], twin_[previous(t)],
+                           twin_[next(h)]}; // ad ca db bc
     const Index f = 3 * (h / 3), g = 3 * (t / 3);
     mesh_.triangles[h / 3] = {a, d, c};
     mesh_.triangles[t / 3] = {d, b, c};

@@ -10,8 +10,8 @@
 
 namespace wm3d::attack {
 
-/// Half-edge h = 3 f + k runs from corner k of triangle f to its next corner. Two half-edges are twins where an
-/// edge has exactly two triangles and they agree in orientation; all other edges stay as they are.
+/// Half-edge h = 3 f + k runs from corner k of triangle f to its next corner. Two half-edges are twins where
+/// an edge has exactly two triangles and they agree in orientation; all other edges stay as they are.
 class Flipper {
 public:
     Flipper(const TriangleMesh& mesh, double max_angle_degrees);

@@ -12,13 +12,15 @@
 
 namespace wm3d::attack {
 
-Flipped flip_random(const TriangleMesh& mesh, double percent, std::uint64_t seed, const FlipOptions& options) {
+Flipped flip_random(const TriangleMesh& mesh, double percent, std::uint64_t seed,
+                    const FlipOptions& options) {
     Flipper flipper(mesh, options.max_angle);
     const std::vector<Index> starts = flipper.inner_edges();
-    const auto wanted = static_cast<std::size_t>(
-        std::llround(percent / 100 * static_cast<double>(flipper.edge_count())));
+    const auto wanted =
+        static_cast<std::size_t>(std::llround(percent / 100 * static_cast<double>(flipper.edge_count())));
     std::size_t flips = 0;
-    // A flip re-uses the half-edge slots of its two triangles; a slot that is visited names the edge it holds then.
+    // A flip re-uses the half-edge slots of its two triangles; a slot that is visited names the edge it holds
+    // then.
     for (Index i : random_permutation(starts.size(), RandomStream(seed, 0))) {
         if (flips == wanted)
             break;

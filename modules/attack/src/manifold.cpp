@@ -63,8 +63,9 @@ TriangleMesh without_unused_vertices(const TriangleMesh& mesh) {
 TriangleMesh make_manifold(const TriangleMesh& mesh) {
     const TriangleMesh used = without_unused_vertices({mesh.positions, proper_triangles(mesh.triangles)});
     if (used.triangles.empty())
-        throw GeometryError("the mesh has no triangle with three different corners, so there is no surface to "
-                            "work on; check that the file holds the model that you mean");
+        throw GeometryError(
+            "the mesh has no triangle with three different corners, so there is no surface to "
+            "work on; check that the file holds the model that you mean");
     std::vector<Point> points;
     points.reserve(used.positions.size());
     for (const Vec3& p : used.positions)
@@ -82,8 +83,8 @@ TriangleMesh make_manifold(const TriangleMesh& mesh) {
         manifold.positions.emplace_back(p.x(), p.y(), p.z());
     manifold.triangles.reserve(polygons.size());
     for (const auto& polygon : polygons)
-        manifold.triangles.push_back({static_cast<Index>(polygon[0]), static_cast<Index>(polygon[1]),
-                                      static_cast<Index>(polygon[2])});
+        manifold.triangles.push_back(
+            {static_cast<Index>(polygon[0]), static_cast<Index>(polygon[1]), static_cast<Index>(polygon[2])});
     return manifold;
 }
 

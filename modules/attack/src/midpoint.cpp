@@ -17,9 +17,10 @@ TriangleMesh subdivide_midpoint(const TriangleMesh& mesh) {
 
     const auto middle = [&](Index a, Index b) {
         const auto [low, high] = std::minmax(a, b);
-        const auto at = std::partition_point(edges.begin(), edges.end(), [low = low, high = high](const Edge& e) {
-            return e.a < low || (e.a == low && e.b < high);
-        });
+        const auto at =
+            std::partition_point(edges.begin(), edges.end(), [low = low, high = high](const Edge& e) {
+                return e.a < low || (e.a == low && e.b < high);
+            });
         return static_cast<Index>(mesh.positions.size() + static_cast<std::size_t>(at - edges.begin()));
     };
     fine.triangles.reserve(4 * mesh.triangles.size());

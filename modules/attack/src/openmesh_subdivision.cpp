@@ -28,8 +28,9 @@ OpenMeshSurface to_openmesh(const TriangleMesh& mesh) {
         handles.push_back(surface.add_vertex({p[0], p[1], p[2]}));
     for (const Triangle& t : manifold.triangles)
         if (!surface.add_face(handles[t[0]], handles[t[1]], handles[t[2]]).is_valid())
-            throw GeometryError("the triangles around vertex " + std::to_string(t[0]) +
-                                " do not form a surface even after repair; repair the model in a mesh editor");
+            throw GeometryError(
+                "the triangles around vertex " + std::to_string(t[0]) +
+                " do not form a surface even after repair; repair the model in a mesh editor");
     return surface;
 }
 
@@ -52,7 +53,8 @@ TriangleMesh from_openmesh(OpenMeshSurface& surface) {
     return mesh;
 }
 
-template <typename Subdivider> TriangleMesh subdivide_by(const TriangleMesh& mesh, int steps) {
+template<typename Subdivider>
+TriangleMesh subdivide_by(const TriangleMesh& mesh, int steps) {
     OpenMeshSurface surface = to_openmesh(mesh);
     Subdivider subdivider;
     subdivider.attach(surface);

@@ -11,7 +11,8 @@ namespace wm3d::attack {
 
 TriangleMesh reorder(const TriangleMesh& mesh, std::uint64_t seed) {
     const std::vector<Index> vertex_order = random_permutation(mesh.positions.size(), RandomStream(seed, 0));
-    const std::vector<Index> triangle_order = random_permutation(mesh.triangles.size(), RandomStream(seed, 1));
+    const std::vector<Index> triangle_order =
+        random_permutation(mesh.triangles.size(), RandomStream(seed, 1));
     const RandomStream corners(seed, 2);
 
     TriangleMesh shuffled;

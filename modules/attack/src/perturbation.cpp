@@ -17,7 +17,8 @@ namespace {
 constexpr std::size_t block = 16384;
 
 /// Calls move(v, position) for every vertex.
-template <typename Move> TriangleMesh moved(const TriangleMesh& mesh, Move&& move) {
+template<typename Move>
+TriangleMesh moved(const TriangleMesh& mesh, Move&& move) {
     TriangleMesh result = mesh;
     parallel_blocks(result.positions.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
@@ -32,12 +33,13 @@ double mean_vertex_distance(const TriangleMesh& mesh) {
     if (mesh.positions.empty())
         return 0;
     const Vec3 centre = vertex_mean(mesh);
-    const double sum = parallel_sum(mesh.positions.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t v = begin; v < end; ++v)
-            part += (mesh.positions[v] - centre).norm();
-        return part;
-    });
+    const double sum =
+        parallel_sum(mesh.positions.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
+            double part = 0;
+            for (std::size_t v = begin; v < end; ++v)
+                part += (mesh.positions[v] - centre).norm();
+            return part;
+        });
     return sum / static_cast<double>(mesh.positions.size());
 }
 

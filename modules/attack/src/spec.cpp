@@ -73,11 +73,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-void read_argument(const AttackInfo& info, std::string_view argument, std::size_t position, AttackSpec& spec) {
+void read_argument(const AttackInfo& info, std::string_view argument, std::size_t position,
+                   AttackSpec& spec) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string_view::npos && position >= info.parameters.size())
-        throw ParameterError(fmt::format("attack {} takes at most {} values, so \"{}\" is one too many", info.name,
-                                         info.parameters.size(), argument));
+        throw ParameterError(fmt::format("attack {} takes at most {} values, so \"{}\" is one too many",
+                                         info.name, info.parameters.size(), argument));
     const std::size_t number =
         equals == std::string_view::npos ? position : parameter_number(info, argument.substr(0, equals));
     const std::string_view text = equals == std::string_view::npos ? argument : argument.substr(equals + 1);
@@ -157,12 +158,34 @@ std::string to_string(const std::vector<AttackSpec>& chain) {
 
 std::vector<AttackSpec> published_benchmark() {
     std::vector<AttackSpec> specs;
-    for (std::string_view text :
-         {"file", "similarity", "noise:0.05", "noise:0.1", "noise:0.3", "noise:0.5", "smoothing:5", "smoothing:10",
-          "smoothing:30", "smoothing:50", "quantization:11", "quantization:10", "quantization:9", "quantization:8",
-          "quantization:7", "subdivision:midpoint", "subdivision:sqrt3", "subdivision:loop", "simplification:10",
-          "simplification:30", "simplification:50", "simplification:70", "simplification:90", "simplification:95",
-          "simplification:97.5", "cropping:10", "cropping:30", "cropping:50"})
+    for (std::string_view text : {"file",
+                                  "similarity",
+                                  "noise:0.05",
+                                  "noise:0.1",
+                                  "noise:0.3",
+                                  "noise:0.5",
+                                  "smoothing:5",
+                                  "smoothing:10",
+                                  "smoothing:30",
+                                  "smoothing:50",
+                                  "quantization:11",
+                                  "quantization:10",
+                                  "quantization:9",
+                                  "quantization:8",
+                                  "quantization:7",
+                                  "subdivision:midpoint",
+                                  "subdivision:sqrt3",
+                                  "subdivision:loop",
+                                  "simplification:10",
+                                  "simplification:30",
+                                  "simplification:50",
+                                  "simplification:70",
+                                  "simplification:90",
+                                  "simplification:95",
+                                  "simplification:97.5",
+                                  "cropping:10",
+                                  "cropping:30",
+                                  "cropping:50"})
         specs.push_back(parse(text));
     return specs;
 }

@@ -22,7 +22,8 @@ TriangleMesh subdivide(const TriangleMesh& mesh, SubdivisionScheme scheme, int s
     const double triangles = static_cast<double>(mesh.triangles.size()) * std::pow(growth, steps);
     if (triangles > most_triangles)
         throw GeometryError("subdividing " + std::to_string(mesh.triangles.size()) + " triangles " +
-                            std::to_string(steps) + " times would make more than 50 million; take fewer steps");
+                            std::to_string(steps) +
+                            " times would make more than 50 million; take fewer steps");
     switch (scheme) {
     case SubdivisionScheme::sqrt3:
         return subdivide_sqrt3(mesh, steps);

@@ -16,7 +16,9 @@ namespace {
 
 /// Cuts a quad along its shorter diagonal. OpenVDB winds its faces clockwise seen from outside.
 void add_quad(TriangleMesh& mesh, const openvdb::Vec4I& q) {
-    const auto length = [&](int i, int j) { return (mesh.positions[q[i]] - mesh.positions[q[j]]).squaredNorm(); };
+    const auto length = [&](int i, int j) {
+        return (mesh.positions[q[i]] - mesh.positions[q[j]]).squaredNorm();
+    };
     if (length(0, 2) <= length(1, 3)) {
         mesh.triangles.push_back({q[0], q[2], q[1]});
         mesh.triangles.push_back({q[0], q[3], q[2]});
@@ -28,7 +30,9 @@ void add_quad(TriangleMesh& mesh, const openvdb::Vec4I& q) {
 
 } // namespace
 
-bool has_voxels() { return true; }
+bool has_voxels() {
+    return true;
+}
 
 TriangleMesh extract_voxels(const TriangleMesh& mesh, int resolution) {
     const Box box = surface_box(mesh);
@@ -53,8 +57,9 @@ TriangleMesh extract_voxels(const TriangleMesh& mesh, int resolution) {
     std::vector<openvdb::Vec4I> quads;
     openvdb::tools::volumeToMesh(*grid, extracted, quads);
     if (quads.empty())
-        throw GeometryError("the model is thinner than the voxels everywhere, so nothing would be left; give a "
-                            "higher resolution");
+        throw GeometryError(
+            "the model is thinner than the voxels everywhere, so nothing would be left; give a "
+            "higher resolution");
 
     TriangleMesh result;
     result.positions.reserve(extracted.size());

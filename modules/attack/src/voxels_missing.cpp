@@ -4,7 +4,9 @@
 
 namespace wm3d::attack {
 
-bool has_voxels() { return false; }
+bool has_voxels() {
+    return false;
+}
 
 TriangleMesh extract_voxels(const TriangleMesh&, int) {
     throw ParameterError("this build has no attack voxels: install OpenVDB and build wm3d again");

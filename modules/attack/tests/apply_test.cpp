@@ -64,13 +64,15 @@ TEST_CASE("a chain applies its attacks one after the other, each with numbers of
 TEST_CASE("what can't be attacked is refused in a sentence") {
     const TriangleMesh mesh = shapes::sphere(1, 6);
     CHECK_THROWS_AS(apply(TriangleMesh{}, parse("noise"), 1), GeometryError);
-    CHECK_THROWS_AS(apply({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, parse("noise"), 1), GeometryError);
+    CHECK_THROWS_AS(apply({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}}}, parse("noise"), 1),
+                    GeometryError);
     TriangleMesh infinite = mesh;
     infinite.positions[3][1] = std::numeric_limits<double>::infinity();
     CHECK_THROWS_WITH_AS(apply(infinite, parse("noise"), 1), doctest::Contains("vertex 3"), GeometryError);
     CHECK_THROWS_AS(apply(mesh, AttackSpec{"noise", {}}, 1), ParameterError);
     CHECK_THROWS_AS(apply(mesh, AttackSpec{"noise", {-1}}, 1), ParameterError);
-    CHECK_THROWS_WITH_AS(apply(mesh, parse("rounding:-3"), 1), doctest::Contains("leaves nothing"), GeometryError);
+    CHECK_THROWS_WITH_AS(apply(mesh, parse("rounding:-3"), 1), doctest::Contains("leaves nothing"),
+                         GeometryError);
 }
 
 TEST_CASE("seams stay closed: positions that coincide move together") {
@@ -92,10 +94,14 @@ TEST_CASE("reordering keeps every triangle and its orientation") {
     const auto corners = [](const TriangleMesh& m) {
         std::vector<std::array<double, 9>> all;
         for (Triangle t : m.triangles) {
-            std::rotate(t.begin(), std::min_element(t.begin(), t.end(), [&](Index a, Index b) {
-                            return std::lexicographical_compare(m.positions[a].begin(), m.positions[a].end(),
-                                                                m.positions[b].begin(), m.positions[b].end());
-                        }), t.end());
+            std::rotate(t.begin(),
+                        std::min_element(t.begin(), t.end(),
+                                         [&](Index a, Index b) {
+                                             return std::lexicographical_compare(
+                                                 m.positions[a].begin(), m.positions[a].end(),
+                                                 m.positions[b].begin(), m.positions[b].end());
+                                         }),
+                        t.end());
             std::array<double, 9> row{};
             for (std::size_t k = 0; k < 9; ++k)
                 row[k] = m.positions[t[k / 3]][static_cast<int>(k % 3)];

@@ -22,7 +22,8 @@ TEST_CASE("the cut removes the wanted share of the vertices") {
             std::size_t kept = 0;
             for (const Vec3& p : part.positions)
                 kept += std::find(mesh.positions.begin(), mesh.positions.end(), p) != mesh.positions.end();
-            const double removed = 100 - 100 * static_cast<double>(kept) / static_cast<double>(mesh.positions.size());
+            const double removed =
+                100 - 100 * static_cast<double>(kept) / static_cast<double>(mesh.positions.size());
             CHECK(std::abs(removed - percent) < 0.1);
         }
 }

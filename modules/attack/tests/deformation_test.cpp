@@ -34,7 +34,8 @@ TEST_CASE("a similarity keeps distances up to its scale") {
     for (std::size_t v = 1; v < mesh.positions.size(); ++v)
         REQUIRE((moved.positions[v] - moved.positions[v - 1]).norm() ==
                 doctest::Approx(s.scale * (mesh.positions[v] - mesh.positions[v - 1]).norm()).epsilon(1e-10));
-    CHECK(enclosed_volume(moved) == doctest::Approx(std::pow(s.scale, 3) * enclosed_volume(mesh)).epsilon(1e-9));
+    CHECK(enclosed_volume(moved) ==
+          doctest::Approx(std::pow(s.scale, 3) * enclosed_volume(mesh)).epsilon(1e-9));
 }
 
 TEST_CASE("rotations have no preferred direction") {
@@ -49,7 +50,8 @@ TEST_CASE("rotations have no preferred direction") {
 
 TEST_CASE("linear maps multiply the volume by their determinant") {
     const TriangleMesh mesh = shapes::blob(500, 1);
-    CHECK(enclosed_volume(transform(mesh, Mat3(Vec3(1.2, 1, 0.5).asDiagonal()))) == doctest::Approx(0.6 * enclosed_volume(mesh)));
+    CHECK(enclosed_volume(transform(mesh, Mat3(Vec3(1.2, 1, 0.5).asDiagonal()))) ==
+          doctest::Approx(0.6 * enclosed_volume(mesh)));
     Mat3 shear = Mat3::Identity();
     shear(0, 2) = 0.3;
     CHECK(enclosed_volume(transform(mesh, shear)) == doctest::Approx(enclosed_volume(mesh)));

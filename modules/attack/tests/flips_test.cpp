@@ -14,7 +14,8 @@ using namespace wm3d::attack;
 using namespace wm3d::attack::test;
 
 TEST_CASE("random flips keep vertices, Euler number, orientation and border") {
-    for (const TriangleMesh& mesh : {shapes::blob(3000, 2), shapes::torus(2, 0.6, 60, 30), shapes::square(1, 20)}) {
+    for (const TriangleMesh& mesh :
+         {shapes::blob(3000, 2), shapes::torus(2, 0.6, 60, 30), shapes::square(1, 20)}) {
         const Flipped flipped = flip_random(mesh, 30, 5);
         CHECK(flipped.mesh.positions == mesh.positions);
         CHECK(flipped.mesh.triangles.size() == mesh.triangles.size());

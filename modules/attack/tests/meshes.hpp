@@ -42,7 +42,15 @@ inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b, const Vec3& mo
 /// A fan of three sheets around one edge, a bow tie at one vertex, a triangle twice, a triangle turned over,
 /// a flat triangle and an isolated vertex.
 inline TriangleMesh hostile() {
-    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {3, 0, 0}, {3, 1, 0}, {4, 0, 0}, {4, 1, 0.5},
+    return {{{0, 0, 0},
+             {1, 0, 0},
+             {0, 1, 0},
+             {0, -1, 0},
+             {0, 0, 1},
+             {3, 0, 0},
+             {3, 1, 0},
+             {4, 0, 0},
+             {4, 1, 0.5},
              {9, 9, 9}},
             {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}, {1, 5, 6}, {5, 6, 7}, {7, 6, 8}, {7, 6, 8}, {0, 1, 5}}};
 }

@@ -18,7 +18,8 @@ using namespace wm3d::attack::test;
 TEST_CASE("subdivision multiplies the triangles and keeps the topology") {
     for (const TriangleMesh& mesh : {shapes::torus(2, 0.6, 20, 10), shapes::blob(600, 1)})
         for (const auto& [scheme, factor] : {std::pair{SubdivisionScheme::midpoint, 4},
-                                             {SubdivisionScheme::sqrt3, 3}, {SubdivisionScheme::loop, 4}}) {
+                                             {SubdivisionScheme::sqrt3, 3},
+                                             {SubdivisionScheme::loop, 4}}) {
             const TriangleMesh fine = subdivide(mesh, scheme, 1);
             CHECK(fine.triangles.size() == factor * mesh.triangles.size());
             CHECK(inspect_topology(fine).euler_characteristic == inspect_topology(mesh).euler_characteristic);
@@ -52,7 +53,8 @@ TEST_CASE("simplification removes the wanted share of the edges and keeps the to
         for (double percent : {10.0, 50.0, 90.0, 97.5}) {
             const TriangleMesh coarse = simplify_edges(mesh, percent);
             const Topology before = inspect_topology(mesh), after = inspect_topology(coarse);
-            const double removed = 100 - 100 * static_cast<double>(after.edges) / static_cast<double>(before.edges);
+            const double removed =
+                100 - 100 * static_cast<double>(after.edges) / static_cast<double>(before.edges);
             CHECK(std::abs(removed - percent) < 1);
             CHECK(after.euler_characteristic == before.euler_characteristic);
             CHECK(is_manifold(coarse));
@@ -89,7 +91,8 @@ TEST_CASE("voxel extraction gives a closed surface of the same place and volume"
 
     TriangleMesh punctured = mesh; // a hole must not turn the model into a shell
     punctured.triangles.erase(punctured.triangles.begin() + 500, punctured.triangles.begin() + 501);
-    CHECK(enclosed_volume(extract_voxels(punctured, 64)) == doctest::Approx(enclosed_volume(mesh)).epsilon(0.01));
+    CHECK(enclosed_volume(extract_voxels(punctured, 64)) ==
+          doctest::Approx(enclosed_volume(mesh)).epsilon(0.01));
 }
 
 TEST_CASE("holes are closed by fans") {

@@ -35,7 +35,8 @@ TEST_CASE("text that is no attack is refused with what is known") {
         }
         return {};
     };
-    CHECK(message("blur").find("\"blur\"; the known attacks are file, similarity, noise") != std::string::npos);
+    CHECK(message("blur").find("\"blur\"; the known attacks are file, similarity, noise") !=
+          std::string::npos);
     CHECK(message("").find("known attacks") != std::string::npos);
     CHECK(message("noise+").find("known attacks") != std::string::npos);
     CHECK(message("noise:much=1").find("has no parameter \"much\"; it has amplitude") != std::string::npos);

@@ -18,17 +18,19 @@ constexpr std::size_t block = 16384;
 
 Vec3 mean(const std::vector<Vec3>& points) {
     const Vec3 zero = Vec3::Zero();
-    const Vec3 sum = parallel_sum(points.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
-        Vec3 part = Vec3::Zero();
-        for (std::size_t v = begin; v < end; ++v)
-            part += points[v];
-        return part;
-    });
+    const Vec3 sum =
+        parallel_sum(points.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
+            Vec3 part = Vec3::Zero();
+            for (std::size_t v = begin; v < end; ++v)
+                part += points[v];
+            return part;
+        });
     return sum / static_cast<double>(points.size());
 }
 
 /// Sum of term(v) over all vertices.
-template <typename Term> double sum_over(std::size_t count, Term&& term) {
+template<typename Term>
+double sum_over(std::size_t count, Term&& term) {
     return parallel_sum(count, block, 0.0, [&](std::size_t begin, std::size_t end) {
         double part = 0;
         for (std::size_t v = begin; v < end; ++v)
@@ -37,15 +39,19 @@ template <typename Term> double sum_over(std::size_t count, Term&& term) {
     });
 }
 
-double change_percent(double before, double after) { return 100 * (after - before) / before; }
+double change_percent(double before, double after) {
+    return 100 * (after - before) / before;
+}
 
 } // namespace
 
 VertexFigures compare_vertices(const TriangleMesh& a, const TriangleMesh& b) {
     const std::size_t count = a.positions.size();
     const Vec3 centre = mean(a.positions);
-    const double moved = sum_over(count, [&](std::size_t v) { return (b.positions[v] - a.positions[v]).squaredNorm(); });
-    const double signal = sum_over(count, [&](std::size_t v) { return (a.positions[v] - centre).squaredNorm(); });
+    const double moved =
+        sum_over(count, [&](std::size_t v) { return (b.positions[v] - a.positions[v]).squaredNorm(); });
+    const double signal =
+        sum_over(count, [&](std::size_t v) { return (a.positions[v] - centre).squaredNorm(); });
 
     VertexFigures figures;
     figures.rms = std::sqrt(moved / static_cast<double>(count));
@@ -64,7 +70,8 @@ VertexFigures compare_vertices(const TriangleMesh& a, const TriangleMesh& b) {
     return figures;
 }
 
-Report compare(const TriangleMesh& a, const TriangleMesh& b, const Options& options, const Progress& progress) {
+Report compare(const TriangleMesh& a, const TriangleMesh& b, const Options& options,
+               const Progress& progress) {
     if (options.samples == 0)
         throw ParameterError("a comparison needs at least one sample on each surface");
     Report result;

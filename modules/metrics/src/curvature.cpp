@@ -48,7 +48,8 @@ Mat3 tensor_at(const TriangleMesh& mesh, const VertexAdjacency& adjacency, BallW
 
 } // namespace
 
-std::vector<double> curvature_magnitude(const TriangleMesh& mesh, const VertexAdjacency& adjacency, double radius) {
+std::vector<double> curvature_magnitude(const TriangleMesh& mesh, const VertexAdjacency& adjacency,
+                                        double radius) {
     std::vector<double> curvature(mesh.positions.size(), 0.0);
     parallel_blocks(curvature.size(), block, [&](std::size_t begin, std::size_t end) {
         BallWalk walk(mesh, adjacency);

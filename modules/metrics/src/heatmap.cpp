@@ -9,8 +9,16 @@ namespace wm3d::metrics {
 namespace {
 
 /// Stops at equal distances, straight lines between them.
-constexpr std::array<Rgb, 10> stops{{{68, 1, 84}, {72, 40, 120}, {62, 74, 137}, {49, 104, 142}, {38, 130, 142},
-                                     {31, 158, 137}, {53, 183, 121}, {110, 206, 88}, {181, 222, 43}, {253, 231, 37}}};
+constexpr std::array<Rgb, 10> stops{{{68, 1, 84},
+                                     {72, 40, 120},
+                                     {62, 74, 137},
+                                     {49, 104, 142},
+                                     {38, 130, 142},
+                                     {31, 158, 137},
+                                     {53, 183, 121},
+                                     {110, 206, 88},
+                                     {181, 222, 43},
+                                     {253, 231, 37}}};
 
 } // namespace
 
@@ -21,7 +29,8 @@ Rgb heat_colour(double value) {
     const double share = at - static_cast<double>(low);
     Rgb colour{};
     for (std::size_t k = 0; k < 3; ++k)
-        colour[k] = static_cast<std::uint8_t>(std::lround((1 - share) * stops[low][k] + share * stops[low + 1][k]));
+        colour[k] =
+            static_cast<std::uint8_t>(std::lround((1 - share) * stops[low][k] + share * stops[low + 1][k]));
     return colour;
 }
 

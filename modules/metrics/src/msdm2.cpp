@@ -19,8 +19,8 @@ struct Window {
     double mu = 0, mu_hat = 0, sigma = 0, sigma_hat = 0, sigma_c = 0;
 };
 
-Window window_at(const TriangleMesh& mesh, BallWalk& walk, Index vertex, double h, const std::vector<double>& c,
-                 const std::vector<double>& c_hat) {
+Window window_at(const TriangleMesh& mesh, BallWalk& walk, Index vertex, double h,
+                 const std::vector<double>& c, const std::vector<double>& c_hat) {
     const auto members = walk.gather(vertex, h);
     const double spread = 2 * (h / 3) * (h / 3);
     const auto weight = [&](Index q) {
@@ -80,8 +80,8 @@ std::vector<double> interpolate(const std::vector<double>& values, const Triangl
 }
 
 /// C at every vertex: free of scale by the longest side of the box.
-std::vector<double> scaled_curvature(const TriangleMesh& mesh, const VertexAdjacency& adjacency, double radius,
-                                     double side) {
+std::vector<double> scaled_curvature(const TriangleMesh& mesh, const VertexAdjacency& adjacency,
+                                     double radius, double side) {
     std::vector<double> c = curvature_magnitude(mesh, adjacency, radius);
     for (double& value : c)
         value *= side;
@@ -117,8 +117,9 @@ std::vector<double> msdm2_field(const TriangleMesh& distorted, const SurfaceTree
         parallel_blocks(field.size(), 16384, [&](std::size_t begin, std::size_t end) {
             BallWalk walk(distorted, around);
             for (std::size_t v = begin; v < end; ++v)
-                field[v] += local_distance(window_at(distorted, walk, static_cast<Index>(v), h, c, c_hat), options) /
-                            static_cast<double>(options.scales.size());
+                field[v] +=
+                    local_distance(window_at(distorted, walk, static_cast<Index>(v), h, c, c_hat), options) /
+                    static_cast<double>(options.scales.size());
         });
     }
     return field;

@@ -31,7 +31,8 @@ struct Sums {
 };
 
 /// Calls visit(barycentric) at the centre of each of the m^2 like parts of a triangle.
-template <typename Visit> void for_each_part(std::size_t m, Visit&& visit) {
+template<typename Visit>
+void for_each_part(std::size_t m, Visit&& visit) {
     const auto centre = [&](std::size_t i, std::size_t j, double third) {
         const double u = (static_cast<double>(i) + third) / static_cast<double>(m);
         const double v = (static_cast<double>(j) + third) / static_cast<double>(m);
@@ -51,12 +52,14 @@ double angle_between(const Vec3& a, const Vec3& b) {
 }
 
 /// Distances of the samples in triangle f.
-void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to, double density, Sums& sums) {
+void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to, double density,
+                  Sums& sums) {
     const Vec3 normal = area_vector(from, f);
     const double area = 0.5 * normal.norm();
     if (!(area > 0))
         return;
-    const auto m = static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(area * density)), 1.0, most_parts));
+    const auto m =
+        static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(area * density)), 1.0, most_parts));
     const double weight = area / static_cast<double>(m * m);
     for_each_part(m, [&](const Vec3& barycentric) {
         const ClosestPoint closest = to.closest(evaluate(from, {static_cast<Index>(f), barycentric}));
@@ -83,12 +86,13 @@ std::vector<char> used_vertices(const TriangleMesh& mesh) {
 OneSidedDistance surface_distance(const TriangleMesh& from, const SurfaceTree& to, std::size_t samples) {
     const double area = surface_area(from);
     const double density = area > 0 ? static_cast<double>(samples) / area : 0;
-    const Sums sums = parallel_sum(from.triangles.size(), block, Sums{}, [&](std::size_t begin, std::size_t end) {
-        Sums part;
-        for (std::size_t f = begin; f < end; ++f)
-            add_triangle(from, f, to, density, part);
-        return part;
-    });
+    const Sums sums =
+        parallel_sum(from.triangles.size(), block, Sums{}, [&](std::size_t begin, std::size_t end) {
+            Sums part;
+            for (std::size_t f = begin; f < end; ++f)
+                add_triangle(from, f, to, density, part);
+            return part;
+        });
     OneSidedDistance distance;
     if (sums.samples == 0)
         return distance;

@@ -41,8 +41,9 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh), tree_(std::ma
         tree_->triangle_of.push_back(f);
     }
     if (tree_->facets.empty())
-        throw GeometryError("the mesh has no triangle with an area, so no distance to it can be measured; check "
-                            "that the file holds the model that you mean");
+        throw GeometryError(
+            "the mesh has no triangle with an area, so no distance to it can be measured; check "
+            "that the file holds the model that you mean");
     tree_->boxes.insert(tree_->facets.cbegin(), tree_->facets.cend());
     tree_->boxes.build();
     tree_->boxes.accelerate_distance_queries(); // now, since queries may come from several threads

@@ -12,9 +12,9 @@ namespace wm3d::metrics {
 namespace {
 
 struct Side {
-    Index a, b;     ///< a < b
+    Index a, b; ///< a < b
     Index triangle;
-    bool forward;   ///< the triangle walks from a to b
+    bool forward; ///< the triangle walks from a to b
 
     bool same_edge(const Side& o) const { return a == o.a && b == o.b; }
 };

@@ -20,7 +20,8 @@ class VertexAdjacency {
 public:
     explicit VertexAdjacency(const TriangleMesh& mesh);
 
-    std::span<const CurvedEdge> edges() const { return edges_; }
+    std::span<const CurvedEdge> edges() const& { return edges_; }
+    std::span<const CurvedEdge> edges() && = delete; // would outlive what it shows
 
     /// Numbers of the edges at a vertex, ascending.
     std::span<const Index> edges_at(std::size_t vertex) const {

@@ -49,7 +49,8 @@ TEST_CASE("a translated mesh moved by the translation, and less along its normal
     CHECK(f.normal_rms < 0.7 * f.rms);
     CHECK(f.normal_rms > 0.4 * f.rms);
     const Report r = compare(mesh, moved, {20'000, false});
-    CHECK(r.mrms == doctest::Approx(f.normal_rms).epsilon(0.05)); // to first order, surfaces move along normals
+    CHECK(r.mrms ==
+          doctest::Approx(f.normal_rms).epsilon(0.05)); // to first order, surfaces move along normals
     CHECK(r.volume_change.value() == doctest::Approx(0));
     CHECK_FALSE(r.msdm2);
 }

@@ -50,7 +50,8 @@ TEST_CASE("a cylinder has one curvature, a plane none") {
 
 TEST_CASE("edges turn with the sign of the surface") {
     const TriangleMesh box = shapes::box({1, 1, 1}, 1);
-    for (const CurvedEdge& e : VertexAdjacency(box).edges())
+    const VertexAdjacency adjacency(box);
+    for (const CurvedEdge& e : adjacency.edges())
         CHECK((std::abs(e.angle) < 1e-12 || std::abs(e.angle - std::numbers::pi / 2) < 1e-12));
 }
 

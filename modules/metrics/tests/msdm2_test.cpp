@@ -22,7 +22,9 @@ TriangleMesh roughened(const TriangleMesh& mesh, double percent) {
     return rough;
 }
 
-double distance(const TriangleMesh& a, const TriangleMesh& b) { return msdm2(SurfaceTree(a), SurfaceTree(b)); }
+double distance(const TriangleMesh& a, const TriangleMesh& b) {
+    return msdm2(SurfaceTree(a), SurfaceTree(b));
+}
 
 } // namespace
 

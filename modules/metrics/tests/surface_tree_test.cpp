@@ -39,7 +39,8 @@ TEST_CASE("the tree finds what a search over all triangles finds") {
             const Vec3 w =
                 closest_on_triangle(q, mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]);
             best = std::min(best, (w[0] * mesh.positions[t[0]] + w[1] * mesh.positions[t[1]] +
-                                   w[2] * mesh.positions[t[2]] - q).norm());
+                                   w[2] * mesh.positions[t[2]] - q)
+                                      .norm());
         }
         const ClosestPoint found = tree.closest(q);
         REQUIRE(found.distance == doctest::Approx(best).epsilon(1e-12));

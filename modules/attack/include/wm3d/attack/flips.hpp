@@ -8,8 +8,8 @@
 
 namespace wm3d::attack {
 
-/// What keeps a flip from harming the surface: both old and both new triangles lie within `max_angle` degrees of
-/// their common normal, the new edge doesn't exist yet, and the edge has exactly two triangles.
+/// What keeps a flip from harming the surface: both old and both new triangles lie within `max_angle` degrees
+/// of their common normal, the new edge doesn't exist yet, and the edge has exactly two triangles.
 struct FlipOptions {
     double max_angle = 20;
 };
@@ -19,9 +19,10 @@ struct Flipped {
     std::size_t flips = 0;
 };
 
-/// Visits the edges in random order and flips those that may be, until `percent` % of all edges are flipped or
-/// every edge was visited. Vertices, their order and the Euler number stay.
-Flipped flip_random(const TriangleMesh& mesh, double percent, std::uint64_t seed, const FlipOptions& options = {});
+/// Visits the edges in random order and flips those that may be, until `percent` % of all edges are flipped
+/// or every edge was visited. Vertices, their order and the Euler number stay.
+Flipped flip_random(const TriangleMesh& mesh, double percent, std::uint64_t seed,
+                    const FlipOptions& options = {});
 
 /// Flips edges whose two opposite angles sum to more than 180 degrees until none is left or 10 flips per edge
 /// were done: towards the Delaunay triangulation of the surface.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Attacks that move each vertex on its own: noise and roundings. Definitions of noise and quantization:
-/// K. Wang, G. Lavoue, F. Denis, A. Baskurt, "A benchmark for 3D mesh watermarking" (SMI 2010).
+/// \file  Attacks that move each vertex on its own: noise and roundings. Definitions of noise and
+/// quantization: K. Wang, G. Lavoue, F. Denis, A. Baskurt, "A benchmark for 3D mesh watermarking" (SMI 2010).
 #pragma once
 
 #include <cstdint>

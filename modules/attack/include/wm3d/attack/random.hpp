@@ -11,7 +11,8 @@ namespace wm3d::attack {
 /// The mixing function is SplitMix64's finalizer.
 class RandomStream {
 public:
-    constexpr RandomStream(std::uint64_t seed, std::uint64_t stream) : base_(mix(mix(seed) + golden * (stream + 1))) {}
+    constexpr RandomStream(std::uint64_t seed, std::uint64_t stream)
+        : base_(mix(mix(seed) + golden * (stream + 1))) {}
 
     /// 64 random bits.
     constexpr std::uint64_t word(std::uint64_t i) const { return mix(base_ + golden * (i + 1)); }
@@ -19,7 +20,9 @@ public:
     /// A multiple of 2^-53 in [0, 1).
     constexpr double unit(std::uint64_t i) const { return static_cast<double>(word(i) >> 11) * 0x1p-53; }
 
-    constexpr double between(std::uint64_t i, double low, double high) const { return low + (high - low) * unit(i); }
+    constexpr double between(std::uint64_t i, double low, double high) const {
+        return low + (high - low) * unit(i);
+    }
 
     /// A whole number in [0, count).
     /// \pre  0 < count < 2^32

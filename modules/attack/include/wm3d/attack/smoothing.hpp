@@ -6,13 +6,14 @@
 
 namespace wm3d::attack {
 
-/// Laplacian smoothing: in each step all vertices at once move by lambda U(v). The benchmark's lambda is 0.10.
+/// Laplacian smoothing: in each step all vertices at once move by lambda U(v). The benchmark's lambda is
+/// 0.10.
 TriangleMesh smooth_laplacian(const TriangleMesh& mesh, int steps, double lambda);
 
 struct TaubinOptions {
-    int steps = 10;        ///< pairs of a shrinking and an inflating step
-    double lambda = 0.33;  ///< shrinking factor, > 0
-    double mu = -0.34;     ///< inflating factor, < -lambda: 1/lambda + 1/mu is the pass-band frequency
+    int steps = 10;       ///< pairs of a shrinking and an inflating step
+    double lambda = 0.33; ///< shrinking factor, > 0
+    double mu = -0.34;    ///< inflating factor, < -lambda: 1/lambda + 1/mu is the pass-band frequency
 };
 
 /// G. Taubin, "A signal processing approach to fair surface design" (SIGGRAPH 1995): smoothing that keeps

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Attacks by name: the catalogue, and the text form `noise:0.3`, `crop:30,cap=yes`, `noise:0.1+smoothing:5`.
+/// \file  Attacks by name: the catalogue, and the text form `noise:0.3`, `crop:30,cap=yes`,
+/// `noise:0.1+smoothing:5`.
 #pragma once
 
 #include <string>

@@ -21,8 +21,8 @@ struct VertexFigures {
     double rms = 0;        ///< root mean square of the moves
     double max = 0;        ///< longest move
     double normal_rms = 0; ///< area-weighted RMS of the moves along the first mesh's vertex normals
-    double snr = 0;        ///< 10 log10 of the sum of squared distances to the mean vertex over that of the moves, dB;
-                           ///< infinite where nothing moved
+    double snr = 0; ///< 10 log10 of the sum of squared distances to the mean vertex over that of the moves,
+                    ///< dB; infinite where nothing moved
 };
 
 /// Lengths in units of the file; `percent` puts them in % of the first mesh's box diagonal.
@@ -36,8 +36,8 @@ struct Report {
     double hausdorff = 0;                  ///< larger of the two one-sided largest distances
     double normal_deviation = 0;           ///< mean of the two one-sided mean angles between normals, degrees
     double area_change = 0;                ///< of the second area against the first, %
-    std::optional<double> volume_change;   ///< of the second volume against the first, %, where both are closed
-    std::optional<double> msdm2;           ///< perceptual distance, 0 to 1, where asked for
+    std::optional<double> volume_change; ///< of the second volume against the first, %, where both are closed
+    std::optional<double> msdm2;         ///< perceptual distance, 0 to 1, where asked for
 
     double percent(double length) const { return 100 * length / diagonal; }
 };

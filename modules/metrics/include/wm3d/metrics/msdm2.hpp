@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  MSDM2, a perceptual distance between meshes: G. Lavoue, "A multiscale metric for 3D mesh visual quality
-/// assessment", Computer Graphics Forum 30 (2011). Written from the description in the paper; values are
-/// comparable with published ones in kind, not digit by digit.
+/// \file  MSDM2, a perceptual distance between meshes: G. Lavoue, "A multiscale metric for 3D mesh visual
+/// quality assessment", Computer Graphics Forum 30 (2011). Written from the description in the paper; values
+/// are comparable with published ones in kind, not digit by digit.
 #pragma once
 
 #include <array>
@@ -23,12 +23,14 @@ struct Msdm2Options {
     double exponent = 3;                               ///< p of Minkowski's mean over the vertices
 };
 
-/// One-sided local distances, #V of `distorted`, >= 0. L and D stay below 1; T reaches 2 where C and C^ are opposed.
+/// One-sided local distances, #V of `distorted`, >= 0. L and D stay below 1; T reaches 2 where C and C^ are
+/// opposed.
 ///
-/// At each scale h: C(v) = S (|k1| + |k2|) / 2 with the principal curvatures k of the tensor of D. Cohen-Steiner and
-/// J.-M. Morvan (2003) in the ball of radius r; C^(v) is the reference's C, interpolated at its point closest to v.
-/// Over the vertices of the window of radius h around v, weighted by a Gaussian of deviation h / 3, mu and sigma are
-/// mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c their covariance. Then
+/// At each scale h: C(v) = S (|k1| + |k2|) / 2 with the principal curvatures k of the tensor of D.
+/// Cohen-Steiner and J.-M. Morvan (2003) in the ball of radius r; C^(v) is the reference's C, interpolated at
+/// its point closest to v. Over the vertices of the window of radius h around v, weighted by a Gaussian of
+/// deviation h / 3, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c their
+/// covariance. Then
 ///     L = |mu - mu^| / (max(mu, mu^) + K)
 ///     D = |sigma - sigma^| / (max(sigma, sigma^) + K)
 ///     T = |sigma sigma^ - sigma_c| / (sigma sigma^ + K)
@@ -36,8 +38,8 @@ struct Msdm2Options {
 std::vector<double> msdm2_field(const TriangleMesh& distorted, const SurfaceTree& reference,
                                 const Msdm2Options& options = {});
 
-/// Minkowski's mean of the local distances of exponent p, weighted by vertex areas, averaged over both directions:
-/// 0 for the same surface, towards 1 where nothing agrees.
+/// Minkowski's mean of the local distances of exponent p, weighted by vertex areas, averaged over both
+/// directions: 0 for the same surface, towards 1 where nothing agrees.
 double msdm2(const SurfaceTree& a, const SurfaceTree& b, const Msdm2Options& options = {});
 
 } // namespace wm3d::metrics

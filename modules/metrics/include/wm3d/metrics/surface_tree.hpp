@@ -15,8 +15,8 @@ struct ClosestPoint {
     double distance = 0; ///< in units of the mesh
 };
 
-/// A tree of boxes over the triangles of a mesh (CGAL's AABB tree). Triangles without area are left out. Queries
-/// may run on several threads. The mesh must outlive the tree.
+/// A tree of boxes over the triangles of a mesh (CGAL's AABB tree). Triangles without area are left out.
+/// Queries may run on several threads. The mesh must outlive the tree.
 class SurfaceTree {
 public:
     /// \throw GeometryError  if the mesh has no triangle with an area
