@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "command_analyze.hpp"
 #include "command_attack.hpp"
 #include "command_compare.hpp"
 #include "command_info.hpp"
@@ -23,6 +24,7 @@ constexpr std::array table{
     Command{"keygen", "Marks", "make an owner's key", declare_keygen},
     Command{"mark", "Marks", "hide a key's mark in a mesh", declare_mark},
     Command{"verify", "Marks", "say whether a key's mark is in a mesh", declare_verify},
+    Command{"analyze", "Robustness", "tell how sure an owner can be: P_m over P_f", declare_analyze},
 #ifdef WM3D_WITH_ATTACK
     Command{"attack", "Robustness", "do to a mesh what may happen to it", declare_attack},
 #endif

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-namespace wm3d::report {
+namespace wm3d::reporting {
 
 namespace {
 
@@ -99,4 +99,4 @@ std::string gnuplot_script(const Plot& plot, const std::string& terminal) {
     return script + "plot " + items + "\n";
 }
 
-} // namespace wm3d::report
+} // namespace wm3d::reporting

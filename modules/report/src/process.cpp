@@ -15,7 +15,7 @@
 
 extern char** environ;
 
-namespace wm3d::report {
+namespace wm3d::reporting {
 
 namespace {
 
@@ -79,4 +79,4 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
     return result;
 }
 
-} // namespace wm3d::report
+} // namespace wm3d::reporting

@@ -9,7 +9,7 @@
 
 #include "process.hpp"
 
-namespace wm3d::report {
+namespace wm3d::reporting {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::string render(const Plot& plot, Image image) {
     return result.output;
 }
 
-} // namespace wm3d::report
+} // namespace wm3d::reporting

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace wm3d::report;
+using namespace wm3d::reporting;
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <wm3d/mesh/error.hpp>
 
-using namespace wm3d::report;
+using namespace wm3d::reporting;
 
 namespace {
 

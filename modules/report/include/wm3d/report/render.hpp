@@ -6,7 +6,7 @@
 
 #include <wm3d/report/plot.hpp>
 
-namespace wm3d::report {
+namespace wm3d::reporting {
 
 enum class Image { svg, png };
 
@@ -18,4 +18,4 @@ bool can_render();
 /// \throw ParameterError  if the plot has no point that could be drawn
 std::string render(const Plot& plot, Image image);
 
-} // namespace wm3d::report
+} // namespace wm3d::reporting

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis_report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace wm3d::cmd {
+
+namespace {
+
+using nlohmann::ordered_json;
+using pipeline::MeasuredCurve;
+using pipeline::MeasuredPoint;
+using pipeline::RocCurve;
+using pipeline::RocKind;
+using pipeline::RocPoint;
+
+std::string kind_for_people(RocKind kind) {
+    switch (kind) {
+    case RocKind::paper:
+        return "eq. (5)";
+    case RocKind::paper_true:
+        return "paper's detector, true P_f";
+    default:
+        return "whitened detector";
+    }
+}
+
+std::string setting_for_people(double gamma, std::size_t vertices, std::optional<double> strength) {
+    return strength ? fmt::format("{:g} %, n = {}", *strength, vertices)
+                    : fmt::format("\u03b3 = {:g}, n = {}", gamma, vertices);
+}
+
+bool of_mesh(const AnalysisReport& report) {
+    return !report.mesh.empty();
+}
+
+std::string heading(const AnalysisReport& report, const RocCurve& curve) {
+    const std::string setting = setting_for_people(curve.gamma, curve.vertices, curve.strength);
+    return of_mesh(report) ? fmt::format("{}, {}", kind_for_people(curve.kind), setting) : setting;
+}
+
+std::string heading(const MeasuredCurve& curve) {
+    return fmt::format("{} measured, {}", kind_for_people(curve.kind),
+                       setting_for_people(curve.gamma, curve.vertices, curve.strength));
+}
+
+/// A probability in a few digits, also where it underflows.
+std::string short_probability(double p, double log10_p) {
+    if (p > 1e-300 || !(log10_p < 0))
+        return fmt::format("{:.3g}", p);
+    const double exponent = std::floor(log10_p);
+    return fmt::format("{:.2f}e{:.0f}", std::pow(10, log10_p - exponent), exponent);
+}
+
+std::string interval(const MeasuredPoint& p) {
+    return fmt::format("{:.3g} [{:.2g}, {:.2g}]", p.pm, p.low, p.high);
+}
+
+std::string optional_number(std::optional<double> x) {
+    return x ? fmt::format("{}", *x) : std::string();
+}
+
+ordered_json to_json(const RocCurve& curve, const RocPoint& p) {
+    ordered_json json{{"detector", pipeline::name(curve.kind)},
+                      {"gamma", curve.gamma},
+                      {"vertices", curve.vertices},
+                      {"pf", p.pf},
+                      {"pm", p.pm},
+                      {"log10_pm", p.log10_pm}};
+    if (p.threshold)
+        json["threshold"] = *p.threshold;
+    if (p.log10_true_pf)
+        json["log10_true_pf"] = *p.log10_true_pf;
+    if (curve.strength)
+        json["strength_percent"] = *curve.strength;
+    return json;
+}
+
+ordered_json to_json(const MeasuredCurve& curve, const MeasuredPoint& p) {
+    return {{"detector", pipeline::name(curve.kind)},
+            {"gamma", curve.gamma},
+            {"vertices", curve.vertices},
+            {"strength_percent", curve.strength},
+            {"pf", p.pf},
+            {"trials", curve.trials},
+            {"missed", p.missed},
+            {"pm", p.pm},
+            {"low", p.low},
+            {"high", p.high},
+            {"confidence", pipeline::roc_confidence}};
+}
+
+ordered_json to_json(const pipeline::MeshStatistics& s) {
+    return {{"vertices", s.paper.n},
+            {"level", s.level},
+            {"mu_r", s.paper.mu_r},
+            {"sigma_r", std::sqrt(s.paper.sigma_r2)},
+            {"sigma_r2", s.paper.sigma_r2},
+            {"delta_mean", s.paper.delta_mean},
+            {"delta_mean_square", s.paper.delta_mean_square},
+            {"null_sigma_ratio", s.null_sigma_ratio}};
+}
+
+/// Curves that share gamma or strength share the colour; those that share n and detector share the dash.
+class Looks {
+public:
+    int colour(double strength_or_gamma, RocKind kind) {
+        return number(colours_, {strength_or_gamma, static_cast<double>(kind)});
+    }
+    int dash(std::size_t vertices) { return number(dashes_, {static_cast<double>(vertices), 0}); }
+
+private:
+    using Numbers = std::map<std::array<double, 2>, int>;
+    static int number(Numbers& numbers, std::array<double, 2> of) {
+        return numbers.try_emplace(of, static_cast<int>(numbers.size())).first->second;
+    }
+    Numbers colours_, dashes_;
+};
+
+} // namespace
+
+reporting::Table roc_table(const AnalysisReport& report) {
+    reporting::Table table{{"P_f"}, {}};
+    for (const RocCurve& curve : report.predicted)
+        table.columns.push_back("P_m: " + heading(report, curve));
+    for (const MeasuredCurve& curve : report.measured)
+        table.columns.push_back("P_m: " + heading(curve));
+    const std::size_t rows = report.predicted.empty() ? 0 : report.predicted.front().points.size();
+    for (std::size_t i = 0; i < rows; ++i) {
+        std::vector<std::string> row{fmt::format("{:.3g}", report.predicted.front().points[i].pf)};
+        for (const RocCurve& curve : report.predicted)
+            row.push_back(short_probability(curve.points[i].pm, curve.points[i].log10_pm));
+        for (const MeasuredCurve& curve : report.measured)
+            row.push_back(interval(curve.points[i]));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+reporting::Table mesh_table(const AnalysisReport& report) {
+    reporting::Table table{
+        {"n", "level", "mu_r", "sigma_r", "mean Delta", "mean Delta^2", "true sigma of rho / eq. (6)'s"}, {}};
+    for (const pipeline::MeshStatistics& s : report.mesh)
+        table.rows.push_back(
+            {fmt::format("{}", s.paper.n), fmt::format("{}", s.level), fmt::format("{:.5g}", s.paper.mu_r),
+             fmt::format("{:.5g}", std::sqrt(s.paper.sigma_r2)), fmt::format("{:.3g}", s.paper.delta_mean),
+             fmt::format("{:.4g}", s.paper.delta_mean_square), fmt::format("{:.3f}", s.null_sigma_ratio)});
+    return table;
+}
+
+reporting::Table long_table(const AnalysisReport& report) {
+    reporting::Table table{{"source", "detector", "gamma", "vertices", "strength_percent", "pf", "pm",
+                            "log10_pm", "threshold", "log10_true_pf", "trials", "missed", "low", "high"},
+                           {}};
+    for (const RocCurve& curve : report.predicted)
+        for (const RocPoint& p : curve.points)
+            table.rows.push_back(
+                {"predicted", std::string(pipeline::name(curve.kind)), fmt::format("{}", curve.gamma),
+                 fmt::format("{}", curve.vertices), optional_number(curve.strength), fmt::format("{}", p.pf),
+                 fmt::format("{}", p.pm), fmt::format("{}", p.log10_pm), optional_number(p.threshold),
+                 optional_number(p.log10_true_pf), "", "", "", ""});
+    for (const MeasuredCurve& curve : report.measured)
+        for (const MeasuredPoint& p : curve.points)
+            table.rows.push_back({"measured", std::string(pipeline::name(curve.kind)),
+                                  fmt::format("{}", curve.gamma), fmt::format("{}", curve.vertices),
+                                  fmt::format("{}", curve.strength), fmt::format("{}", p.pf),
+                                  fmt::format("{}", p.pm), "", "", "", fmt::format("{}", curve.trials),
+                                  fmt::format("{}", p.missed), fmt::format("{}", p.low),
+                                  fmt::format("{}", p.high)});
+    return table;
+}
+
+void add_json(ordered_json& object, const AnalysisReport& report) {
+    for (const pipeline::MeshStatistics& s : report.mesh)
+        object["mesh"].push_back(to_json(s));
+    object["predicted"] = ordered_json::array();
+    for (const RocCurve& curve : report.predicted)
+        for (const RocPoint& p : curve.points)
+            object["predicted"].push_back(to_json(curve, p));
+    for (const MeasuredCurve& curve : report.measured)
+        for (const MeasuredPoint& p : curve.points)
+            object["measured"].push_back(to_json(curve, p));
+}
+
+reporting::Plot roc_plot(const AnalysisReport& report) {
+    reporting::Plot plot;
+    plot.title = report.title;
+    plot.x_label = "false-positive probability P_f";
+    plot.y_label = "miss probability P_m";
+    Looks looks;
+    for (const RocCurve& curve : report.predicted) {
+        reporting::Curve line{.name = heading(report, curve),
+                              .colour = looks.colour(curve.strength.value_or(curve.gamma), curve.kind),
+                              .dash = looks.dash(curve.vertices),
+                              .points = {}};
+        for (const RocPoint& p : curve.points)
+            line.points.push_back({.x = p.pf, .y = p.pm});
+        plot.curves.push_back(std::move(line));
+    }
+    for (const MeasuredCurve& curve : report.measured) {
+        reporting::Curve points{.name = heading(curve),
+                                .style = reporting::Curve::Style::points,
+                                .colour = looks.colour(curve.strength, curve.kind),
+                                .dash = looks.dash(curve.vertices),
+                                .points = {}};
+        for (const MeasuredPoint& p : curve.points)
+            points.points.push_back({.x = p.pf, .y = p.pm, .low = p.low, .high = p.high});
+        plot.curves.push_back(std::move(points));
+    }
+    return plot;
+}
+
+std::string roc_page(const AnalysisReport& report, const std::string& json) {
+    reporting::Page page;
+    page.title = report.title;
+    page.paragraphs.emplace_back(
+        "How likely a mark is missed (P_m) when an unmarked model may be accused with "
+        "probability P_f. Lines are predictions, points are measurements.");
+    page.svg = reporting::render(roc_plot(report), reporting::Image::svg);
+    page.caption =
+        report.measured.empty()
+            ? "Both axes are logarithmic; the probabilities have no unit."
+            : "Both axes are logarithmic; the probabilities have no unit. Bars are 95 % Clopper-Pearson "
+              "intervals.";
+    if (of_mesh(report))
+        page.sections.push_back({"The mesh", "Lengths in units of the mean radius.", mesh_table(report)});
+    page.sections.push_back({"Figures", "", roc_table(report)});
+    page.json = json;
+    return reporting::to_html(page);
+}
+
+} // namespace wm3d::cmd

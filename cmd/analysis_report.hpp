@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  What `analyze` found, as tables, JSON, a plot and a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <wm3d/report.hpp>
+
+#include "pipeline/mesh_analysis.hpp"
+#include "pipeline/roc.hpp"
+
+namespace wm3d::cmd {
+
+struct AnalysisReport {
+    std::string title;
+    std::vector<pipeline::MeshStatistics> mesh; ///< one per number of vertices; none without a mesh
+    std::vector<pipeline::RocCurve> predicted;
+    std::vector<pipeline::MeasuredCurve> measured;
+};
+
+/// One row per P_f, one column per curve: for people.
+reporting::Table roc_table(const AnalysisReport& report);
+
+/// One row per number of vertices.
+reporting::Table mesh_table(const AnalysisReport& report);
+
+/// One row per point of every curve, in full precision: for programs.
+reporting::Table long_table(const AnalysisReport& report);
+
+/// Adds "mesh" (if there is one), "predicted" and "measured" (if there were trials) to `object`.
+void add_json(nlohmann::ordered_json& object, const AnalysisReport& report);
+
+reporting::Plot roc_plot(const AnalysisReport& report);
+
+/// A page with the plot, the tables and `json` in full.
+std::string roc_page(const AnalysisReport& report, const std::string& json);
+
+} // namespace wm3d::cmd
