@@ -48,6 +48,8 @@ Tone tone(Verdict verdict) {
 std::string power_of_ten(double log10_p) {
     if (std::isnan(log10_p))
         return "not defined";
+    if (std::isinf(log10_p))
+        return "0";
     if (log10_p > -4)
         return fmt::format("{:.2g}", std::pow(10, log10_p));
     const double exponent = std::floor(log10_p);
