@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <wm3d/detect/tail.hpp>
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/parallel.hpp>
+
+namespace wm3d::pipeline {
+
+namespace {
+
+void score_paper(Trial& trial, const Examination& suspect, std::size_t pose, const TrialSetting& setting,
+                 std::span<const double> w) {
+    const std::vector<double> radii = suspect.radii(pose);
+    const sphere::SparseRows& rows = suspect.rows(pose, setting.level);
+    const detect::PaperStatistics s = detect::paper_statistics(radii, sphere::multiply(rows, w));
+    const double above_mean = s.rho - s.mu_r * s.delta_mean;
+    const double nominal_sigma = std::sqrt(s.sigma_r2 * s.delta_mean_square / static_cast<double>(s.n));
+    trial.paper_nominal_p =
+        std::erfc(above_mean / (std::sqrt(2.0) * nominal_sigma)) / 2; // eq. (6) solved for P_f
+    trial.paper_log10_p = detect::saddlepoint_log10_tail(
+        detect::paper_statistic(radii, rows, setting.parameters.rmax), above_mean);
+}
+
+ExaminationOptions examination_options(const TrialSetting& setting) {
+    ExaminationOptions options;
+    options.vertices = setting.vertices;
+    options.levels = setting.parameters.levels;
+    options.rmax = setting.parameters.rmax;
+    return options;
+}
+
+/// The pose whose axes are nearest to the frame's: the trace of the rotation between them falls as its angle
+/// grows.
+std::size_t nearest_pose(const Examination& suspect, const Frame& frame) {
+    std::vector<double> trace(suspect.poses());
+    for (std::size_t pose = 0; pose < trace.size(); ++pose)
+        trace[pose] = (suspect.pose(pose).frame.axes * frame.axes.transpose()).trace();
+    return static_cast<std::size_t>(std::ranges::max_element(trace) - trace.begin());
+}
+
+/// Per filter: the statistic of a pose and a level.
+std::vector<detect::LinearStatistic> statistics_of(const Examination& suspect, std::size_t pose,
+                                                   unsigned level) {
+    std::vector<detect::LinearStatistic> statistics;
+    for (const detect::Hypothesis& h : suspect.family())
+        if (h.pose == pose && h.level == level)
+            statistics.push_back(h.statistic);
+    return statistics;
+}
+
+/// Sum over the filters of the correlation of their coefficients.
+double alikeness(const std::vector<detect::LinearStatistic>& a,
+                 const std::vector<detect::LinearStatistic>& b) {
+    double sum = 0;
+    for (std::size_t f = 0; f < a.size(); ++f) {
+        const double scale = a[f].sigma() * b[f].sigma();
+        sum += scale > 0 ? a[f].value(b[f].coefficients()) / scale : 0; // but for a factor they all share
+    }
+    return sum;
+}
+
+bool missed(RocKind kind, const Trial& trial, double pf) {
+    switch (kind) {
+    case RocKind::paper:
+        return trial.paper_nominal_p > pf;
+    case RocKind::paper_true:
+        return trial.paper_log10_p > std::log10(pf);
+    default:
+        return trial.log10_p > std::log10(pf);
+    }
+}
+
+} // namespace
+
+TrialBench::TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Progress& progress)
+    : mesh_(mesh), setting_(std::move(setting)), marker_(mesh, setting_.vertices, progress),
+      host_(mesh, examination_options(setting_), progress) {
+    if (std::ranges::find(setting_.parameters.levels, setting_.level) == setting_.parameters.levels.end())
+        throw ParameterError(
+            fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
+                        "it; choose one of them",
+                        fmt::join(setting_.parameters.levels, ", "), setting_.level));
+    host_statistics_ = statistics_of(host_, nearest_pose(host_, canonical_frame(mesh)), setting_.level);
+}
+
+std::size_t TrialBench::true_pose(const Examination& suspect) const {
+    // Mostly c comes from the host, so it is like the host's in the pose of the mark, wherever that was
+    // moved.
+    std::size_t likest = 0;
+    double best = -1;
+    for (std::size_t pose = 0; pose < suspect.poses(); ++pose) {
+        const double likeness = alikeness(statistics_of(suspect, pose, setting_.level), host_statistics_);
+        if (likeness > best) {
+            best = likeness;
+            likest = pose;
+        }
+    }
+    return likest;
+}
+
+std::vector<detect::LinearStatistic> TrialBench::damaged_host_statistics() const {
+    if (!setting_.damage)
+        return host_statistics_;
+    const Examination damaged(setting_.damage(mesh_, 0), examination_options(setting_));
+    return statistics_of(damaged, true_pose(damaged), setting_.level);
+}
+
+Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) const {
+    const key::Secret secret = key::null_secret(seed, number);
+    const Marked marked = marker_.mark(secret, setting_.level, setting_.parameters.rmax, strength);
+    TriangleMesh suspect_mesh{marked.positions, mesh_.triangles};
+    if (setting_.damage)
+        suspect_mesh = setting_.damage(suspect_mesh, number);
+    const Examination suspect(suspect_mesh, examination_options(setting_));
+    Sequences sequences(secret, setting_.parameters.rmax);
+
+    Trial trial;
+    trial.number = number;
+    trial.gamma = marked.gamma;
+    trial.distortion = percent(marked.distortion, marked.diagonal);
+    trial.log10_p = detect::score_family(suspect.family(), sequences.function()).log10_p;
+    const std::size_t pose = true_pose(suspect);
+    const std::vector<detect::LinearStatistic> statistics = statistics_of(suspect, pose, setting_.level);
+    trial.score.resize(static_cast<Eigen::Index>(statistics.size()));
+    trial.sigma.resize(trial.score.size());
+    for (Eigen::Index f = 0; f < trial.score.size(); ++f) {
+        trial.score[f] = statistics[static_cast<std::size_t>(f)].value(sequences(setting_.level));
+        trial.sigma[f] = statistics[static_cast<std::size_t>(f)].sigma();
+    }
+    score_paper(trial, suspect, pose, setting_, sequences(setting_.level));
+    return trial;
+}
+
+std::vector<Trial> run_trials(const TrialBench& bench, double strength, std::uint64_t seed,
+                              const std::vector<std::size_t>& numbers, const TrialSink& sink,
+                              const Progress& progress) {
+    std::vector<Trial> trials(numbers.size());
+    std::mutex guard;
+    std::size_t done = 0;
+    report(progress, "trying marks", 0);
+    parallel_blocks(numbers.size(), 1, [&](std::size_t i, std::size_t) {
+        trials[i] = bench.run(strength, seed, numbers[i]);
+        const std::lock_guard lock(guard);
+        if (sink)
+            sink(trials[i]);
+        report(progress, "trying marks", static_cast<double>(++done) / static_cast<double>(numbers.size()));
+    });
+    return trials;
+}
+
+MeasuredCurve measured_roc(RocKind kind, const std::vector<Trial>& trials, std::size_t vertices,
+                           double strength, std::span<const double> pf) {
+    MeasuredCurve curve;
+    curve.kind = kind;
+    curve.vertices = vertices;
+    curve.strength = strength;
+    curve.trials = trials.size();
+    for (const Trial& trial : trials)
+        curve.gamma += trial.gamma / static_cast<double>(trials.size());
+    for (double p : pf) {
+        const auto count = std::ranges::count_if(trials, [&](const Trial& t) { return missed(kind, t, p); });
+        curve.points.push_back(measured_point(p, static_cast<std::size_t>(count), trials.size()));
+    }
+    return curve;
+}
+
+} // namespace wm3d::pipeline

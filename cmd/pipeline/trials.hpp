@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Marks with random keys through the real pipeline: mark, damage, examine, score.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "pipeline/examination.hpp"
+#include "pipeline/mark.hpp"
+#include "pipeline/roc.hpp"
+
+namespace wm3d::pipeline {
+
+/// What happens to a marked mesh before it is examined; an empty function is nothing.
+using Damage = std::function<TriangleMesh(const TriangleMesh& mesh, std::uint64_t seed)>;
+
+struct TrialSetting {
+    std::size_t vertices = default_vertices; ///< of the base domain and of the simplified suspect
+    unsigned level = 5;                      ///< of the watermarking sphere
+    key::PublicParameters parameters;        ///< what a key admits and verify so tries
+    Damage damage;
+};
+
+/// One mark.
+struct Trial {
+    std::size_t number = 0;
+    double log10_p = 0;         ///< verify's, family-wise
+    double paper_nominal_p = 1; ///< P_f at which T_rho of eq. (6) is this mark's rho
+    double paper_log10_p = 0;   ///< exact, of the same rho over random keys
+    double gamma = 0;
+    embed::Distortion distortion; ///< % of the box's diagonal, before the damage
+    Eigen::VectorXd score;        ///< per filter: T in the pose and level of the mark
+    Eigen::VectorXd sigma;        ///< per filter: standard deviation of T over random keys
+};
+
+/// A mesh on which marks are tried. What depends on no key is made once.
+class TrialBench {
+public:
+    /// \param mesh  has to outlive the bench
+    /// \throw GeometryError   if the mesh has no area
+    /// \throw ParameterError  if the setting's level isn't one of its parameters'
+    TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Progress& progress = {});
+
+    /// The mark of random key `number` of the family `seed`, of a strength in % of the box's diagonal. May be
+    /// called from several threads.
+    Trial run(double strength, std::uint64_t seed, std::size_t number) const;
+
+    const TrialSetting& setting() const { return setting_; }
+    const Marker& marker() const { return marker_; }
+
+    /// The unmarked mesh as verify examines it, and per filter c in the pose and level of the marks.
+    const Examination& host() const { return host_; }
+    const std::vector<detect::LinearStatistic>& host_statistics() const { return host_statistics_; }
+
+    /// The same statistics after the damage: of the mesh that verify sees, but for the mark.
+    std::vector<detect::LinearStatistic> damaged_host_statistics() const;
+
+private:
+    std::size_t true_pose(const Examination& suspect) const;
+
+    const TriangleMesh& mesh_;
+    TrialSetting setting_;
+    Marker marker_;
+    Examination host_;
+    std::vector<detect::LinearStatistic> host_statistics_;
+};
+
+/// Called with every finished trial, from one thread at a time.
+using TrialSink = std::function<void(const Trial&)>;
+
+/// Runs the trials whose numbers are given, on all cores; the result is in the order of `numbers`.
+std::vector<Trial> run_trials(const TrialBench& bench, double strength, std::uint64_t seed,
+                              const std::vector<std::size_t>& numbers, const TrialSink& sink = {},
+                              const Progress& progress = {});
+
+/// Misses counted at each P_f.
+MeasuredCurve measured_roc(RocKind kind, const std::vector<Trial>& trials, std::size_t vertices,
+                           double strength, std::span<const double> pf);
+
+} // namespace wm3d::pipeline
