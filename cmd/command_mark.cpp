@@ -12,6 +12,7 @@
 #include <wm3d/mesh/error.hpp>
 
 #include "pipeline/mark.hpp"
+#include "pipeline/receipt.hpp"
 #include "pipeline/verify.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
@@ -23,6 +24,7 @@ namespace {
 struct MarkArguments {
     MeshFiles files;
     std::string key;
+    std::string receipt;
     pipeline::MarkOptions options;
 };
 
@@ -41,6 +43,24 @@ void warn_if_too_coarse(const io::Model& model, const pipeline::Marked& marked, 
             "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
             "write the model with more digits before marking it, or raise --strength",
             model.coordinate_step(), marked.distortion.normal_rms));
+}
+
+/// Tells at once what a thief could make of the shape.
+void warn_if_ambiguous(const io::Model& model, const MarkArguments& arguments, Output& output) {
+    const resync::Ambiguity ambiguity = pipeline::ambiguity_of(model.mesh());
+    if (ambiguity != resync::Ambiguity::none && arguments.receipt.empty())
+        output.warn(fmt::format("{}: {}; a rotated copy may not be found by the key alone, so keep a receipt "
+                                "(--receipt FILE), by which it can be",
+                                display_name(arguments.files.input), resync::describe(ambiguity)));
+}
+
+void write_receipt(const io::Model& model, const pipeline::Marked& marked, const key::Key& key,
+                   const io::PatchedFiles& files, const MarkArguments& arguments, Output& output) {
+    // Positions that don't change leave every byte as it was read.
+    const std::string original = model.patched(model.mesh().positions);
+    const resync::Receipt receipt =
+        pipeline::make_receipt(model.mesh(), marked, key, original, files.bytes, output.progress());
+    io::write_file(arguments.receipt, resync::to_text(receipt), {.overwrite = arguments.files.overwrite});
 }
 
 /// Reads the bytes that are about to be written, as verify would read the file.
@@ -109,12 +129,15 @@ void tell(const MarkArguments& arguments, const pipeline::Marked& marked, const 
 
 int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
+    if (!arguments.receipt.empty())
+        check_target(arguments.receipt, arguments.files.overwrite);
     const key::Key key = key::Key::load(arguments.key);
     const io::Model model = read_input(arguments.files);
     require_same_format(arguments, model.format(), format);
 
     const pipeline::Marked marked = pipeline::mark(model.mesh(), key, arguments.options, output.progress());
     warn_if_too_coarse(model, marked, output);
+    warn_if_ambiguous(model, arguments, output);
     const bool to_stream = arguments.files.output == "-";
     const io::PatchedFiles files = to_stream ? io::PatchedFiles{model.patched(marked.positions), {}}
                                              : model.patched_files(marked.positions, arguments.files.output);
@@ -133,8 +156,13 @@ int run(const MarkArguments& arguments, Output& output) {
         output.write_bytes(files.bytes);
     else
         io::write_files(arguments.files.output, files, {.overwrite = arguments.files.overwrite});
+    if (!arguments.receipt.empty())
+        write_receipt(model, marked, key, files, arguments, output);
     tell(arguments, marked, check, output);
-    output.print_json(to_json(arguments, key, marked, check));
+    nlohmann::ordered_json json = to_json(arguments, key, marked, check);
+    if (!arguments.receipt.empty())
+        json["receipt"] = arguments.receipt;
+    output.print_json(json);
     return exit_done;
 }
 
@@ -162,6 +190,9 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));
+    app.add_option("--receipt", arguments.receipt,
+                   "Also write what finds cut or ambiguous copies again without the original")
+        ->option_text("FILE");
     app.add_option("--pf", options.pf,
                    "False-positive probability at which the mark must be found again [1e-6]")
         ->option_text("P")

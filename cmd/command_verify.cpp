@@ -3,10 +3,14 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/resync/receipt.hpp>
 
 #include "pipeline/verify.hpp"
 #include "support/mesh_files.hpp"
@@ -24,7 +28,8 @@ struct VerifyArguments {
     std::string key;
     pipeline::VerifyOptions options;
     std::string detector = "whitened";
-    std::string resync = "pca";
+    std::string resync; ///< empty: pca, and icp where a receipt or a reference is given
+    std::string receipt, reference;
     bool exit_zero = false;
 };
 
@@ -96,6 +101,14 @@ std::string figures(const pipeline::VerifyReport& report) {
         report.base_vertices, report.level, report.pose);
     if (report.filter)
         text += fmt::format(", filter t = {:g}, power {:g}", report.filter->t, report.filter->power);
+    if (report.by_difference)
+        text += ", difference from the reference";
+    text += fmt::format(" ({})", report.pose_origin);
+    if (report.registration)
+        text += fmt::format("\nalignment       {:.1f} % of the suspect explained, residual {:.2g} mean radii, "
+                            "confidence {:.2f}",
+                            100 * report.registration->coverage, report.registration->residual,
+                            report.registration->confidence);
     const pipeline::PaperReport& paper = report.paper;
     text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
                         paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
@@ -120,6 +133,12 @@ ordered_json paper_json(const pipeline::PaperReport& paper) {
             {"log10_p", paper.log10_p}};
 }
 
+ordered_json registration_json(const resync::Registration& registration) {
+    return {{"aligned", registration.aligned},       {"mirrored", registration.transform.mirrors()},
+            {"coverage", registration.coverage},     {"residual", registration.residual},
+            {"confidence", registration.confidence}, {"searched", registration.searched}};
+}
+
 ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
                      const key::Key& key) {
     ordered_json json{{"input", arguments.files.input},
@@ -130,16 +149,21 @@ ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyRep
                       {"log10_p_is_bound", report.score.bound},
                       {"hypotheses", report.score.hypotheses},
                       {"detector", arguments.detector},
-                      {"resync", arguments.resync},
+                      {"resync", arguments.resync.empty() ? "pca" : arguments.resync},
                       {"sigmas", report.score.best.sigmas},
                       {"expected_sigmas", report.expected_sigmas},
                       {"predicted_miss", report.predicted_miss},
                       {"base_vertices", report.base_vertices},
                       {"level", report.level},
                       {"pose", report.pose},
+                      {"pose_origin", report.pose_origin},
                       {"paper", paper_json(report.paper)}};
     if (report.filter)
         json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
+    if (report.registration)
+        json["registration"] = registration_json(*report.registration);
+    if (!arguments.reference.empty())
+        json["reference"] = {{"covered", report.reference_coverage}, {"decided", report.by_difference}};
     if (report.null)
         json["null"] = {{"keys", report.null->keys},
                         {"false_positives", report.null->false_positives},
@@ -147,11 +171,61 @@ ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyRep
     return json;
 }
 
+/// What the owner gave besides the key.
+struct Evidence {
+    std::optional<resync::Receipt> receipt;
+    std::optional<io::Model> reference;
+};
+
+Evidence read_evidence(const VerifyArguments& arguments, Output& output) {
+    Evidence evidence;
+    if (!arguments.receipt.empty())
+        evidence.receipt = resync::parse_receipt(io::read_file(arguments.receipt), arguments.receipt);
+    if (!arguments.reference.empty())
+        evidence.reference = read_mesh(arguments.reference);
+    if (evidence.receipt && arguments.resync.empty() && !resync::has_registration())
+        output.warn("this build was made without Ceres, so the receipt's frame is tried as it stands alone; a copy "
+                    "that was cut and moved needs a build with -DWM3D_RESYNC=ON");
+    return evidence;
+}
+
+pipeline::VerifyOptions with_evidence(const VerifyArguments& arguments, const Evidence& evidence) {
+    pipeline::VerifyOptions options = arguments.options;
+    options.receipt = evidence.receipt ? &*evidence.receipt : nullptr;
+    options.reference = evidence.reference ? &evidence.reference->mesh() : nullptr;
+    options.align_receipt =
+        arguments.resync == "icp" || (arguments.resync.empty() && resync::has_registration());
+    return options;
+}
+
+/// What a registration tells besides the verdict.
+void tell_alignment(const VerifyArguments& arguments, const pipeline::VerifyReport& report, Output& output) {
+    if (!report.registration)
+        return;
+    const std::string against = arguments.reference.empty() ? arguments.receipt : arguments.reference;
+    if (!report.registration->aligned)
+        output.warn(fmt::format("{} could not be aligned with {}: the best pose explains {:.0f} % of it; either it "
+                                "is another object, or too little of it is left",
+                                display_name(arguments.files.input), against, 100 * report.registration->coverage));
+    else if (report.registration->transform.mirrors())
+        output.warn(fmt::format("{} is a mirror image of {}; it was examined as such",
+                                display_name(arguments.files.input), against));
+    else if (report.registration->confidence < 0.1)
+        output.warn(fmt::format("{} fits {} in clearly different poses almost equally well, so the pose that was "
+                                "examined may be a wrong one",
+                                display_name(arguments.files.input), against));
+}
+
 int run(const VerifyArguments& arguments, Output& output) {
+    if (arguments.resync == "icp" && arguments.receipt.empty() && arguments.reference.empty())
+        throw ParameterError("--resync icp aligns the suspect with something: give --receipt or --reference, or use "
+                             "--resync pca");
     const key::Key key = key::Key::load(arguments.key);
+    const Evidence evidence = read_evidence(arguments, output);
     const io::Model model = read_input(arguments.files);
     const pipeline::VerifyReport report =
-        pipeline::verify(model.mesh(), key, arguments.options, output.progress());
+        pipeline::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
+    tell_alignment(arguments, report, output);
     const std::string name =
         key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());
     output.print(output.toned(sentence(arguments, report, name), tone(report.verdict)) + "\n");
@@ -172,9 +246,15 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
         ->option_text("NAME")
         ->check(CLI::IsMember({"whitened", "paper"}));
     app.add_option("--resync", arguments.resync,
-                   "pca: all four signs of the principal axes; none: the first alone [pca]")
+                   "pca: the suspect's principal axes, all signs; none: its canonical frame alone; icp: registration "
+                   "alone [pca, and icp with --receipt or --reference]")
         ->option_text("NAME")
-        ->check(CLI::IsMember({"pca", "none"}));
+        ->check(CLI::IsMember({"pca", "none", "icp"}));
+    app.add_option("--receipt", arguments.receipt, "What `mark --receipt` wrote: finds cut and ambiguous copies")
+        ->option_text("FILE");
+    app.add_option("--reference", arguments.reference,
+                   "The unmarked original: align with it and look at the difference")
+        ->option_text("FILE");
     app.add_option("--vertices", arguments.options.vertices, "Vertices to simplify the suspect to [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
@@ -201,8 +281,9 @@ Action declare_verify(CLI::App& app) {
     return [arguments](Output& output) {
         arguments->options.detector =
             arguments->detector == "paper" ? pipeline::Detector::paper : pipeline::Detector::whitened;
-        arguments->options.resync =
-            arguments->resync == "none" ? pipeline::Resync::none : pipeline::Resync::pca;
+        arguments->options.resync = arguments->resync == "none"  ? pipeline::Resync::none
+                                    : arguments->resync == "icp" ? pipeline::Resync::icp
+                                                                 : pipeline::Resync::pca;
         return run(*arguments, output);
     };
 }

@@ -11,6 +11,7 @@
 #include "command_keygen.hpp"
 #include "command_maps.hpp"
 #include "command_mark.hpp"
+#include "command_resync.hpp"
 #include "command_sample.hpp"
 #include "command_simplify.hpp"
 #include "command_sphere.hpp"
@@ -31,6 +32,7 @@ constexpr std::array table{
 #ifdef WM3D_WITH_METRICS
     Command{"compare", "Robustness", "tell how far apart two meshes are", declare_compare},
 #endif
+    Command{"resync", "Parts of the method", "lay a moved or cut mesh back on its model", declare_resync},
     Command{"simplify", "Parts of the method", "simplify a mesh to a number of vertices", declare_simplify},
     Command{"maps", "Parts of the method", "map a mesh onto its base domain", declare_maps},
     Command{"sphere", "Parts of the method", "write the watermarking sphere as a mesh", declare_sphere},

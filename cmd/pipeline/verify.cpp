@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
 
 #include <wm3d/detect/tail.hpp>
+#include <wm3d/mesh/error.hpp>
 
 #include "pipeline/null_keys.hpp"
 
@@ -47,7 +51,6 @@ PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned 
 
 void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key, Sequences& sequences,
                      const VerifyOptions& options) {
-    report.filter = suspect.evidence().filter(suspect.family()[report.score.best.hypothesis].filter);
     report.expected_sigmas =
         suspect.expected_sigmas(sequences, default_level(key.parameters()), key.parameters().reference_strength);
     report.predicted_miss =
@@ -68,31 +71,93 @@ void decide_paper(VerifyReport& report, const Examination& suspect, const key::K
         report.verdict = report.predicted_miss <= 0.01 ? detect::Verdict::absent : detect::Verdict::inconclusive;
 }
 
+/// The hypotheses of a verdict: those of the suspect alone and, with a reference, of the difference.
+struct Hypotheses {
+    Examination suspect;
+    std::vector<detect::Hypothesis> family;
+    std::optional<resync::Registration> registration;
+    double reference_coverage = 0;
+};
+
+void require_own_receipt(const resync::Receipt& receipt, const key::Key& key) {
+    if (receipt.key_commitment != key.commitment())
+        throw ParameterError(fmt::format("the receipt was written for key {} and not for key {}; give the receipt of "
+                                         "this key's mark",
+                                         receipt.key_name, key.fingerprint()));
+}
+
+Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOptions& options,
+                      const Progress& progress) {
+    ExaminationOptions examination = examination_options(key, options);
+    std::optional<resync::Registration> registration;
+    std::optional<ReferenceView> reference;
+    const auto take = [&](const KnownPose& known) {
+        examination.poses.insert(examination.poses.end(), known.poses.begin(), known.poses.end());
+        if (known.registration)
+            registration = known.registration;
+    };
+    if (options.receipt) {
+        require_own_receipt(*options.receipt, key);
+        take(pose_by_receipt(*options.receipt, mesh, options.align_receipt, progress));
+    }
+    if (options.reference) {
+        reference = compare_with_reference(*options.reference, mesh, progress);
+        take(reference->known);
+    }
+    if (examination.resync == Resync::icp && examination.poses.empty())
+        examination.resync = Resync::pca; // registration failed: the suspect's own axes are all there is
+    Hypotheses result{Examination(mesh, examination, progress), {}, registration, 0};
+    const Examination& suspect = result.suspect;
+    result.family = options.detector == Detector::paper
+                        ? paper_family(suspect)
+                        : std::vector<detect::Hypothesis>(suspect.family().begin(), suspect.family().end());
+    if (reference && !reference->mesh.positions.empty()) {
+        result.reference_coverage = reference->difference.covered;
+        if (options.detector == Detector::whitened)
+            std::ranges::move(
+                reference_family(*reference, suspect.options(), suspect.poses() - 1, suspect.evidence().filters()),
+                std::back_inserter(result.family));
+    }
+    return result;
+}
+
+void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
+            const VerifyOptions& options) {
+    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
+    if (options.detector == Detector::paper) {
+        decide_paper(report, all.suspect, key, sequences, options);
+    } else {
+        report.by_difference = best.filter == all.suspect.evidence().filters();
+        if (!report.by_difference)
+            report.filter = all.suspect.evidence().filter(best.filter);
+        decide_whitened(report, all.suspect, key, sequences, options);
+    }
+    if (report.verdict == detect::Verdict::absent && all.registration && !all.registration->aligned)
+        report.verdict = detect::Verdict::inconclusive; // it was not looked at where it would lie
+}
+
 } // namespace
 
 VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
-    const Examination suspect(mesh, examination_options(key, options), progress);
+    const Hypotheses all =
+        hypotheses(simplify_suspect(mesh, options.vertices, progress), key, options, progress);
     Sequences sequences(key.secret(), key.parameters().rmax);
 
-    const bool paper = options.detector == Detector::paper;
-    const std::vector<detect::Hypothesis> of_paper = paper ? paper_family(suspect) : std::vector<detect::Hypothesis>{};
-    const std::span<const detect::Hypothesis> family = paper ? std::span(of_paper) : suspect.family();
-
     VerifyReport report;
-    report.base_vertices = suspect.base_vertices();
-    report.score = detect::score_family(family, sequences.function());
-    const detect::Hypothesis& best = family[report.score.best.hypothesis];
+    report.base_vertices = all.suspect.base_vertices();
+    report.registration = all.registration;
+    report.reference_coverage = all.reference_coverage;
+    report.score = detect::score_family(all.family, sequences.function());
+    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
     report.level = best.level;
     report.pose = best.pose;
-    report.paper = paper_report(suspect, best.pose, best.level, sequences, options.pf);
-    if (paper)
-        decide_paper(report, suspect, key, sequences, options);
-    else
-        decide_whitened(report, suspect, key, sequences, options);
+    report.pose_origin = all.suspect.pose(best.pose).origin;
+    report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
+    decide(report, all, key, sequences, options);
     if (options.null_keys > 0)
-        report.null = score_null_keys(family, suspect.options().rmax, options.pf, options.null_keys, options.null_seed,
-                                      progress);
+        report.null = score_null_keys(all.family, all.suspect.options().rmax, options.pf, options.null_keys,
+                                      options.null_seed, progress);
     return report;
 }
 

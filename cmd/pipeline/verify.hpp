@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include <wm3d/detect/verdict.hpp>
 
+#include "pipeline/alignment.hpp"
 #include "pipeline/examination.hpp"
 
 namespace wm3d::pipeline {
@@ -17,6 +19,9 @@ struct VerifyOptions {
     double pf = default_pf;
     Detector detector = Detector::whitened;
     Resync resync = Resync::pca;
+    const resync::Receipt* receipt = nullptr; ///< its frame is tried as it stands
+    bool align_receipt = false;               ///< and as registration against its template finds it
+    const TriangleMesh* reference = nullptr;  ///< align with it and look at the difference too
     std::size_t vertices = default_vertices;
     std::size_t null_keys = 0;       ///< random keys to score on the same mesh
     std::uint64_t null_seed = 1;     ///< which random keys
@@ -42,7 +47,11 @@ struct VerifyReport {
     detect::FamilyScore score;
     unsigned level = 0; ///< of the best hypothesis
     std::size_t pose = 0;
-    std::optional<detect::Filter> filter; ///< none with the paper's detector
+    std::string pose_origin;
+    std::optional<detect::Filter> filter; ///< none with the paper's detector and where the reference decided
+    bool by_difference = false;           ///< the difference from the reference decided
+    double reference_coverage = 0;        ///< part of the reference that has a counterpart in the suspect
+    std::optional<resync::Registration> registration;
     std::size_t base_vertices = 0;
     double expected_sigmas = 0; ///< of a mark of the key's reference strength
     double predicted_miss = 1;
@@ -50,8 +59,9 @@ struct VerifyReport {
     std::optional<NullReport> null;
 };
 
-/// Whether the key's mark is in the suspect.
-/// \throw GeometryError  if the mesh has no area
+/// Whether the key's mark is in the suspect. Where a registration that was asked for fails, the verdict isn't "absent".
+/// \throw GeometryError   if the mesh has no area
+/// \throw ParameterError  if the receipt belongs to another key, or this build can't register
 VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress = {});
 

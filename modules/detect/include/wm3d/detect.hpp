@@ -7,6 +7,7 @@
 #include <wm3d/detect/linear_statistic.hpp>
 #include <wm3d/detect/paper.hpp>
 #include <wm3d/detect/paper_null.hpp>
+#include <wm3d/detect/reference_evidence.hpp>
 #include <wm3d/detect/surface_filter.hpp>
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/detect/verdict.hpp>

@@ -5,4 +5,7 @@
 #include <wm3d/resync/candidate_pose.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/pose_template.hpp>
+#include <wm3d/resync/receipt.hpp>
+#include <wm3d/resync/registration.hpp>
 #include <wm3d/resync/similarity.hpp>
+#include <wm3d/resync/surface_difference.hpp>

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/alignment.hpp"
+
+#include <algorithm>
+
+#include <wm3d/detect/reference_evidence.hpp>
+#include <wm3d/resync/pose_template.hpp>
+
+namespace wm3d::pipeline {
+
+namespace {
+
+constexpr std::size_t reference_points = 4000;    // of the template that is made of a reference
+constexpr std::size_t reference_vertices = 40000; // that carry the difference
+constexpr double reach = 0.03;                    // farthest counterpart, in mean radii
+
+} // namespace
+
+KnownPose pose_by_receipt(const resync::Receipt& receipt, const Suspect& suspect, bool align,
+                          const Progress& progress) {
+    KnownPose known;
+    known.poses.push_back({receipt.frame, "receipt, as it stands"});
+    if (!align)
+        return known;
+    known.registration = resync::register_template(receipt.in_file(), suspect.base, {}, progress);
+    if (known.registration->aligned)
+        known.poses.push_back({resync::moved(receipt.frame, known.registration->transform), "receipt, aligned"});
+    return known;
+}
+
+ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect, const Progress& progress) {
+    const Frame frame = canonical_frame(reference);
+    const TriangleMesh base = simplify_suspect(reference, reference_vertices, progress).base;
+    const resync::PoseTemplate points = resync::make_template(base, reference_points);
+    ReferenceView view;
+    view.known.registration = resync::register_template(points, suspect.base, {}, progress);
+    if (!view.known.registration->aligned)
+        return view;
+    const Frame on_suspect = resync::moved(frame, view.known.registration->transform);
+    view.known.poses.push_back({on_suspect, "reference, aligned"});
+    view.mesh = to_frame(base, frame);
+    view.difference = resync::surface_difference(view.mesh, to_frame(suspect.mesh, on_suspect), reach);
+    return view;
+}
+
+std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const ExaminationOptions& options,
+                                                 std::size_t pose, std::size_t filter) {
+    const detect::ReferenceEvidence evidence(view.mesh, view.difference.along_normal, view.difference.trust);
+    const sphere::Icosphere finest(std::ranges::max(options.levels));
+    const std::vector<sphere::SparseRows> rows =
+        sphere::barycentric_rows(finest, view.mesh.positions, options.levels);
+    std::vector<detect::Hypothesis> family;
+    for (std::size_t l = 0; l < options.levels.size(); ++l)
+        family.push_back({evidence.statistic(rows[l], options.rmax), options.levels[l], pose, filter});
+    return family;
+}
+
+} // namespace wm3d::pipeline
