@@ -52,23 +52,14 @@ Eigen::VectorXd thresholds(const Response& response, double pf) {
 Response pilot_response(const TrialBench& bench, double strength, std::size_t marks,
                         const Progress& progress) {
     Response response;
-    response.host = bench.damaged_host_statistics();
-    response.hypotheses = bench.host().family().size();
+    response.host = bench.host();
+    response.hypotheses = bench.hypotheses();
     response.strength = strength;
     std::vector<std::size_t> numbers(marks);
     std::iota(numbers.begin(), numbers.end(), 0);
-    for (const Trial& trial : run_trials(bench, strength, pilot_seed, numbers, {}, progress)) {
-        const std::vector<double> w =
-            key::watermark_sequence(key::null_secret(pilot_seed, trial.number), bench.setting().level,
-                                    bench.setting().parameters.rmax);
-        Eigen::VectorXd mark = trial.score, variance = trial.sigma.cwiseAbs2();
-        for (Eigen::Index f = 0; f < mark.size(); ++f) {
-            const detect::LinearStatistic& c = response.host[static_cast<std::size_t>(f)];
-            mark[f] -= c.value(w);
-            variance[f] -= c.sigma() * c.sigma();
-        }
-        response.mark.push_back(std::move(mark));
-        response.variance.push_back(std::move(variance));
+    for (Trial& trial : run_trials(bench, strength, pilot_seed, numbers, {}, progress)) {
+        response.mark.push_back(std::move(trial.mark));
+        response.variance.push_back(std::move(trial.variance));
         const double share = 1 / static_cast<double>(marks);
         response.gamma += share * trial.gamma;
         response.distortion.normal_rms += share * trial.distortion.normal_rms;
@@ -87,14 +78,10 @@ double log10_miss(const Response& response, double strength, double pf) {
         mean += scale / marks * response.mark[k];
         added += scale * scale / marks * response.variance[k];
     }
-    Eigen::MatrixXd covariance = host_covariance(response.host);
-    // the null spread in the suspect: the host's and the mark's own
+    // T spreads as it does over random keys on the host; the marks themselves hardly differ.
+    const Eigen::MatrixXd covariance = host_covariance(response.host);
     const Eigen::VectorXd sigma =
         (covariance.diagonal() + added).cwiseMax(1e-3 * covariance.diagonal()).cwiseSqrt();
-    for (const Eigen::VectorXd& mark : response.mark) {
-        const Eigen::VectorXd off = scale * mark - mean;
-        covariance += off * off.transpose() / std::max(marks - 1, 1.0);
-    }
     const Eigen::VectorXd unit = sigma.cwiseInverse();
     const double by_chance = static_cast<double>(response.hypotheses - response.host.size()) *
                              std::log1p(-pf / static_cast<double>(response.hypotheses)) / std::numbers::ln10;

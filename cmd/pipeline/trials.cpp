@@ -67,6 +67,21 @@ double alikeness(const std::vector<detect::LinearStatistic>& a,
     return sum;
 }
 
+/// Splits T = c.w into the host's part and the mark's. The simplification of the marked mesh picks somewhat
+/// other vertices, so only a share of the host's c is found in the suspect's: its projection.
+void separate_mark(Trial& trial, const std::vector<detect::LinearStatistic>& suspect,
+                   const std::vector<detect::LinearStatistic>& host, std::span<const double> w) {
+    trial.mark.resize(static_cast<Eigen::Index>(host.size()));
+    trial.variance.resize(trial.mark.size());
+    for (std::size_t f = 0; f < host.size(); ++f) {
+        const double norm = host[f].value(host[f].coefficients());
+        const double share = norm > 0 ? suspect[f].value(host[f].coefficients()) / norm : 0;
+        const auto i = static_cast<Eigen::Index>(f);
+        trial.mark[i] = suspect[f].value(w) - share * host[f].value(w);
+        trial.variance[i] = suspect[f].sigma() * suspect[f].sigma() - host[f].sigma() * host[f].sigma();
+    }
+}
+
 bool missed(RocKind kind, const Trial& trial, double pf) {
     switch (kind) {
     case RocKind::paper:
@@ -81,14 +96,21 @@ bool missed(RocKind kind, const Trial& trial, double pf) {
 } // namespace
 
 TrialBench::TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Progress& progress)
-    : mesh_(mesh), setting_(std::move(setting)), marker_(mesh, setting_.vertices, progress),
-      host_(mesh, examination_options(setting_), progress) {
+    : mesh_(mesh), setting_(std::move(setting)), marker_(mesh, setting_.vertices, progress) {
     if (std::ranges::find(setting_.parameters.levels, setting_.level) == setting_.parameters.levels.end())
         throw ParameterError(
             fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
                         "it; choose one of them",
                         fmt::join(setting_.parameters.levels, ", "), setting_.level));
-    host_statistics_ = statistics_of(host_, nearest_pose(host_, canonical_frame(mesh)), setting_.level);
+    const Examination unharmed(mesh, examination_options(setting_), progress);
+    hypotheses_ = unharmed.family().size();
+    unharmed_ = host_ =
+        statistics_of(unharmed, nearest_pose(unharmed, canonical_frame(mesh)), setting_.level);
+    if (setting_.damage) {
+        const Examination damaged(setting_.damage(mesh, 0), examination_options(setting_), progress);
+        hypotheses_ = damaged.family().size();
+        host_ = statistics_of(damaged, true_pose(damaged), setting_.level);
+    }
 }
 
 std::size_t TrialBench::true_pose(const Examination& suspect) const {
@@ -97,20 +119,13 @@ std::size_t TrialBench::true_pose(const Examination& suspect) const {
     std::size_t likest = 0;
     double best = -1;
     for (std::size_t pose = 0; pose < suspect.poses(); ++pose) {
-        const double likeness = alikeness(statistics_of(suspect, pose, setting_.level), host_statistics_);
+        const double likeness = alikeness(statistics_of(suspect, pose, setting_.level), unharmed_);
         if (likeness > best) {
             best = likeness;
             likest = pose;
         }
     }
     return likest;
-}
-
-std::vector<detect::LinearStatistic> TrialBench::damaged_host_statistics() const {
-    if (!setting_.damage)
-        return host_statistics_;
-    const Examination damaged(setting_.damage(mesh_, 0), examination_options(setting_));
-    return statistics_of(damaged, true_pose(damaged), setting_.level);
 }
 
 Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) const {
@@ -128,13 +143,7 @@ Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) c
     trial.distortion = percent(marked.distortion, marked.diagonal);
     trial.log10_p = detect::score_family(suspect.family(), sequences.function()).log10_p;
     const std::size_t pose = true_pose(suspect);
-    const std::vector<detect::LinearStatistic> statistics = statistics_of(suspect, pose, setting_.level);
-    trial.score.resize(static_cast<Eigen::Index>(statistics.size()));
-    trial.sigma.resize(trial.score.size());
-    for (Eigen::Index f = 0; f < trial.score.size(); ++f) {
-        trial.score[f] = statistics[static_cast<std::size_t>(f)].value(sequences(setting_.level));
-        trial.sigma[f] = statistics[static_cast<std::size_t>(f)].sigma();
-    }
+    separate_mark(trial, statistics_of(suspect, pose, setting_.level), host_, sequences(setting_.level));
     score_paper(trial, suspect, pose, setting_, sequences(setting_.level));
     return trial;
 }

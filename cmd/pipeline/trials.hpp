@@ -32,8 +32,8 @@ struct Trial {
     double paper_log10_p = 0;   ///< exact, of the same rho over random keys
     double gamma = 0;
     embed::Distortion distortion; ///< % of the box's diagonal, before the damage
-    Eigen::VectorXd score;        ///< per filter: T in the pose and level of the mark
-    Eigen::VectorXd sigma;        ///< per filter: standard deviation of T over random keys
+    Eigen::VectorXd mark;         ///< per filter: T in the mark's pose and level, less the host's part of it
+    Eigen::VectorXd variance;     ///< per filter: variance of T over random keys, less that of the host
 };
 
 /// A mesh on which marks are tried. What depends on no key is made once.
@@ -51,12 +51,11 @@ public:
     const TrialSetting& setting() const { return setting_; }
     const Marker& marker() const { return marker_; }
 
-    /// The unmarked mesh as verify examines it, and per filter c in the pose and level of the marks.
-    const Examination& host() const { return host_; }
-    const std::vector<detect::LinearStatistic>& host_statistics() const { return host_statistics_; }
+    /// How many hypotheses verify tries.
+    std::size_t hypotheses() const { return hypotheses_; }
 
-    /// The same statistics after the damage: of the mesh that verify sees, but for the mark.
-    std::vector<detect::LinearStatistic> damaged_host_statistics() const;
+    /// Per filter: the statistic of the unmarked mesh after the damage, in the pose and level of the marks.
+    const std::vector<detect::LinearStatistic>& host() const { return host_; }
 
 private:
     std::size_t true_pose(const Examination& suspect) const;
@@ -64,8 +63,9 @@ private:
     const TriangleMesh& mesh_;
     TrialSetting setting_;
     Marker marker_;
-    Examination host_;
-    std::vector<detect::LinearStatistic> host_statistics_;
+    std::size_t hypotheses_ = 0;
+    std::vector<detect::LinearStatistic> unharmed_; ///< as `host_`, before the damage
+    std::vector<detect::LinearStatistic> host_;
 };
 
 /// Called with every finished trial, from one thread at a time.
