@@ -23,11 +23,11 @@ using pipeline::RocPoint;
 std::string kind_for_people(RocKind kind) {
     switch (kind) {
     case RocKind::paper:
-        return "eq. (5)";
+        return "paper, eq. (5)";
     case RocKind::paper_true:
-        return "paper's detector, true P_f";
+        return "paper, true P_f";
     default:
-        return "whitened detector";
+        return "whitened";
     }
 }
 
@@ -64,6 +64,32 @@ std::string interval(const MeasuredPoint& p) {
 
 std::string optional_number(std::optional<double> x) {
     return x ? fmt::format("{}", *x) : std::string();
+}
+
+/// Curves of one group stand side by side.
+template<typename C>
+std::string group(const C& curve) {
+    return "P_m, " + setting_for_people(curve.gamma, curve.vertices, curve.strength);
+}
+
+/// The table with this heading, made with a row for every P_f if there is none yet.
+template<typename Points>
+reporting::Table& table_for(std::vector<RocTable>& tables, const std::string& heading, const Points& points) {
+    const auto found = std::ranges::find(tables, heading, &RocTable::heading);
+    if (found != tables.end())
+        return found->table;
+    RocTable fresh{heading, {{"P_f"}, {}}};
+    for (const auto& p : points)
+        fresh.table.rows.push_back({fmt::format("{:.3g}", p.pf)});
+    tables.push_back(std::move(fresh));
+    return tables.back().table;
+}
+
+template<typename Points, typename Cell>
+void add_column(reporting::Table& table, std::string heading, const Points& points, Cell&& cell) {
+    table.columns.push_back(std::move(heading));
+    for (std::size_t i = 0; i < points.size(); ++i)
+        table.rows[i].push_back(cell(points[i]));
 }
 
 ordered_json to_json(const RocCurve& curve, const RocPoint& p) {
@@ -125,22 +151,17 @@ private:
 
 } // namespace
 
-reporting::Table roc_table(const AnalysisReport& report) {
-    reporting::Table table{{"P_f"}, {}};
+std::vector<RocTable> roc_tables(const AnalysisReport& report) {
+    std::vector<RocTable> tables;
     for (const RocCurve& curve : report.predicted)
-        table.columns.push_back("P_m: " + heading(report, curve));
+        add_column(table_for(tables, of_mesh(report) ? group(curve) : std::string(), curve.points),
+                   of_mesh(report) ? kind_for_people(curve.kind)
+                                   : setting_for_people(curve.gamma, curve.vertices, {}),
+                   curve.points, [](const RocPoint& p) { return short_probability(p.pm, p.log10_pm); });
     for (const MeasuredCurve& curve : report.measured)
-        table.columns.push_back("P_m: " + heading(curve));
-    const std::size_t rows = report.predicted.empty() ? 0 : report.predicted.front().points.size();
-    for (std::size_t i = 0; i < rows; ++i) {
-        std::vector<std::string> row{fmt::format("{:.3g}", report.predicted.front().points[i].pf)};
-        for (const RocCurve& curve : report.predicted)
-            row.push_back(short_probability(curve.points[i].pm, curve.points[i].log10_pm));
-        for (const MeasuredCurve& curve : report.measured)
-            row.push_back(interval(curve.points[i]));
-        table.rows.push_back(std::move(row));
-    }
-    return table;
+        add_column(table_for(tables, group(curve), curve.points), kind_for_people(curve.kind) + " measured",
+                   curve.points, interval);
+    return tables;
 }
 
 reporting::Table mesh_table(const AnalysisReport& report) {
@@ -230,7 +251,9 @@ std::string roc_page(const AnalysisReport& report, const std::string& json) {
               "intervals.";
     if (of_mesh(report))
         page.sections.push_back({"The mesh", "Lengths in units of the mean radius.", mesh_table(report)});
-    page.sections.push_back({"Figures", "", roc_table(report)});
+    for (RocTable& table : roc_tables(report))
+        page.sections.push_back(
+            {table.heading.empty() ? "Figures" : std::move(table.heading), "", std::move(table.table)});
     page.json = json;
     return reporting::to_html(page);
 }

@@ -21,8 +21,13 @@ struct AnalysisReport {
     std::vector<pipeline::MeasuredCurve> measured;
 };
 
-/// One row per P_f, one column per curve: for people.
-reporting::Table roc_table(const AnalysisReport& report);
+/// For people: without a mesh one table of all curves, with a mesh one for each strength and number of
+/// vertices.
+struct RocTable {
+    std::string heading;    ///< may be empty
+    reporting::Table table; ///< one row per P_f, one column per curve
+};
+std::vector<RocTable> roc_tables(const AnalysisReport& report);
 
 /// One row per number of vertices.
 reporting::Table mesh_table(const AnalysisReport& report);

@@ -71,15 +71,23 @@ void write_plot(const AnalyzeArguments& arguments, const AnalysisReport& report,
     output.say(fmt::format("Wrote the plot to {}.", arguments.plot));
 }
 
+std::string text_of(const AnalysisReport& report) {
+    std::string text;
+    if (!report.mesh.empty())
+        text = reporting::to_text(mesh_table(report));
+    for (const RocTable& table : roc_tables(report)) {
+        if (!table.heading.empty())
+            text += fmt::format("\n{}\n", table.heading);
+        text += reporting::to_text(table.table);
+    }
+    return text;
+}
+
 void deliver(const AnalyzeArguments& arguments, const AnalysisReport& report, ordered_json json,
              Output& output) {
     add_json(json, report);
     write_plot(arguments, report, json, output);
-    if (arguments.csv)
-        output.print(reporting::to_csv(long_table(report)));
-    else
-        output.print((report.mesh.empty() ? "" : reporting::to_text(mesh_table(report)) + "\n") +
-                     reporting::to_text(roc_table(report)));
+    output.print(arguments.csv ? reporting::to_csv(long_table(report)) : text_of(report));
     output.print_json(json);
 }
 
