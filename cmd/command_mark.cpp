@@ -13,6 +13,7 @@
 
 #include "pipeline/mark.hpp"
 #include "pipeline/receipt.hpp"
+#include "pipeline/recommend.hpp"
 #include "pipeline/verify.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
@@ -26,6 +27,9 @@ struct MarkArguments {
     std::string key;
     std::string receipt;
     pipeline::MarkOptions options;
+    bool automatic = false; ///< find the strength
+    double pm = 1e-6;       ///< for `automatic`
+    std::string survive;
 };
 
 /// `mark` rewrites coordinates inside the user's own file: another format would be another file.
@@ -127,6 +131,32 @@ void tell(const MarkArguments& arguments, const pipeline::Marked& marked, const 
                              marked.gamma, marked.rmax));
 }
 
+/// With --auto the smallest strength that meets --pf and --pm, as `analyze --recommend` finds it.
+pipeline::MarkOptions resolved_options(const MarkArguments& arguments, const TriangleMesh& mesh,
+                                       const key::Key& key, Output& output) {
+    pipeline::MarkOptions options = arguments.options;
+    if (!arguments.automatic)
+        return options;
+    pipeline::Requirement requirement;
+    requirement.pf = options.pf;
+    requirement.pm = arguments.pm;
+    if (!arguments.survive.empty())
+        requirement.survive = pipeline::parse_damages(arguments.survive);
+    pipeline::TrialSetting setting;
+    setting.vertices = options.vertices;
+    setting.parameters = key.parameters();
+    setting.level = options.level.value_or(pipeline::default_level(setting.parameters));
+    const pipeline::Recommendation advice =
+        pipeline::recommend(mesh, setting, requirement, output.progress());
+    if (!advice.reached)
+        throw GeometryError(fmt::format(
+            "{}: no strength up to {:g} % meets P_f = {:g} and P_m = {:g} on this mesh; ask "
+            "for less, or mark a finer scan of the model",
+            display_name(arguments.files.input), pipeline::largest_strength, requirement.pf, requirement.pm));
+    options.strength = advice.strength;
+    return options;
+}
+
 int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
@@ -135,7 +165,8 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Model model = read_input(arguments.files);
     require_same_format(arguments, model.format(), format);
 
-    const pipeline::Marked marked = pipeline::mark(model.mesh(), key, arguments.options, output.progress());
+    const pipeline::MarkOptions options = resolved_options(arguments, model.mesh(), key, output);
+    const pipeline::Marked marked = pipeline::mark(model.mesh(), key, options, output.progress());
     warn_if_too_coarse(model, marked, output);
     warn_if_ambiguous(model, arguments, output);
     const bool to_stream = arguments.files.output == "-";
@@ -176,11 +207,21 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
                        "Root mean square move along the surface normal, in % of the diagonal of the bounding "
                        "box [0.05]");
     strength->option_text("P")->check(positive_number());
-    app.add_option("--gamma", options.gamma,
-                   "Strength as gamma of the paper's eq. (3), instead of --strength")
-        ->option_text("G")
-        ->check(positive_number())
-        ->excludes(strength);
+    auto* gamma = app.add_option("--gamma", options.gamma,
+                                 "Strength as gamma of the paper's eq. (3), instead of --strength");
+    gamma->option_text("G")->check(positive_number())->excludes(strength);
+    auto* automatic =
+        app.add_flag("--auto", arguments.automatic,
+                     "Find the smallest strength that meets --pf and --pm, as analyze --recommend");
+    automatic->excludes(strength)->excludes(gamma);
+    app.add_option("--pm", arguments.pm, "With --auto: miss probability at most [1e-6]")
+        ->option_text("P")
+        ->check(probability())
+        ->needs(automatic);
+    app.add_option("--survive", arguments.survive,
+                   "With --auto: attacks to survive, such as noise:0.3,simplify:90")
+        ->option_text("LIST")
+        ->needs(automatic);
     app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
