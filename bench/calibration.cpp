@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Prints the tables of docs/calibration.md: wm3d_calibration KEYS MESH...
+/// \file  Prints the tables of docs/calibration.md: calibration KEYS MESH...
 #include <cstdlib>
 #include <filesystem>
 
@@ -22,7 +22,7 @@ void print_table(const std::filesystem::path& path, std::size_t keys) {
     const pipeline::Examination suspect(io::read(path).mesh(), options);
     const pipeline::Calibration result = pipeline::calibrate(suspect, level, keys, 2026);
 
-    fmt::print("\n### {} ({} base vertices)\n\n| statistic |", path.filename().string(), suspect.base().positions.size());
+    fmt::print("\n### {} ({} base vertices)\n\n| statistic |", path.filename().string(), suspect.base_vertices());
     for (double pf : result.pf)
         fmt::print(" {:g} |", pf);
     fmt::print("\n|---|");
@@ -43,7 +43,7 @@ void print_table(const std::filesystem::path& path, std::size_t keys) {
 
 int main(int argc, char** argv) try {
     if (argc < 3) {
-        fmt::print(stderr, "usage: wm3d_calibration KEYS MESH...\n");
+        fmt::print(stderr, "usage: calibration KEYS MESH...\n");
         return 2;
     }
     const auto keys = static_cast<std::size_t>(std::strtoull(argv[1], nullptr, 10));
@@ -51,6 +51,6 @@ int main(int argc, char** argv) try {
         print_table(argv[i], keys);
     return 0;
 } catch (const wm3d::Error& error) {
-    fmt::print(stderr, "wm3d_calibration: {}\n", error.what());
+    fmt::print(stderr, "calibration: {}\n", error.what());
     return 2;
 }
