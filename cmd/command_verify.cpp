@@ -210,7 +210,7 @@ void tell_alignment(const VerifyArguments& arguments, const pipeline::VerifyRepo
     else if (report.registration->transform.mirrors())
         output.warn(fmt::format("{} is a mirror image of {}; it was examined as such",
                                 display_name(arguments.files.input), against));
-    else if (report.registration->confidence < 0.1)
+    else if (report.registration->confidence < 0.1 && report.verdict != Verdict::present)
         output.warn(fmt::format("{} fits {} in clearly different poses almost equally well, so the pose that was "
                                 "examined may be a wrong one",
                                 display_name(arguments.files.input), against));
@@ -246,8 +246,8 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
         ->option_text("NAME")
         ->check(CLI::IsMember({"whitened", "paper"}));
     app.add_option("--resync", arguments.resync,
-                   "pca: the suspect's principal axes, all signs; none: its canonical frame alone; icp: registration "
-                   "alone [pca, and icp with --receipt or --reference]")
+                   "pca: principal axes, every sign; none: canonical frame alone; icp: align with what is given [pca; "
+                   "with --receipt or --reference both pca and icp]")
         ->option_text("NAME")
         ->check(CLI::IsMember({"pca", "none", "icp"}));
     app.add_option("--receipt", arguments.receipt, "What `mark --receipt` wrote: finds cut and ambiguous copies")
@@ -273,10 +273,12 @@ Action declare_verify(CLI::App& app) {
                     "mesh can't tell.\n"
                     "The probability that it names is exact for this very mesh: how often a random key "
                     "scores like this.\n"
-                    "Needs the key file alone. Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
+                    "Needs the key file alone; with a receipt or the original it finds cut copies too.\n"
+                    "Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d verify suspect.obj --key museum.key\n"
                "  wm3d verify suspect.ply --key museum.key --pf 1e-9 --json\n"
+               "  wm3d verify head.ply --key museum.key --receipt statue.receipt\n"
                "  wm3d verify any.stl --key museum.key --pf 0.05 --null-keys 200");
     return [arguments](Output& output) {
         arguments->options.detector =
