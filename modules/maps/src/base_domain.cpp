@@ -15,12 +15,14 @@ namespace {
 void place_base_vertices(BaseDomain& domain) {
     for (std::size_t t = domain.mesh.triangles.size(); t-- > 0;)
         for (int k = 0; k < 3; ++k)
-            domain.point[domain.original[domain.mesh.triangles[t][k]]] = {static_cast<Index>(t), Vec3::Unit(k)};
+            domain.point[domain.original[domain.mesh.triangles[t][k]]] = {static_cast<Index>(t),
+                                                                          Vec3::Unit(k)};
 }
 
 } // namespace
 
-BaseDomain parameterize(const TriangleMesh& mesh, const simplify::Options& options, const Progress& progress) {
+BaseDomain parameterize(const TriangleMesh& mesh, const simplify::Options& options,
+                        const Progress& progress) {
     BaseDomain domain;
     Parameterizer parameterizer(mesh.positions.size(), domain);
     simplify::Result coarse = simplify::simplify(mesh, options, parameterizer, progress);

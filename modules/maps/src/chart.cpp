@@ -11,9 +11,12 @@ namespace {
 
 constexpr std::size_t farthest = 400; ///< triangles laid out at most
 
-Index corner_after(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+Index corner_after(Index h) {
+    return h % 3 == 2 ? h - 2 : h + 1;
+}
 
-/// For each half-edge 3 f + k (corner k to k + 1) the next one of the same edge, around in a cycle; itself if alone.
+/// For each half-edge 3 f + k (corner k to k + 1) the next one of the same edge, around in a cycle; itself if
+/// alone.
 std::vector<Index> edge_cycles(const std::vector<Triangle>& triangles) {
     const auto vertex = [&](Index h) { return triangles[h / 3][h % 3]; };
     std::vector<std::pair<std::uint64_t, Index>> edges;
@@ -87,17 +90,20 @@ LaidOut Unfolder::lay_first(Index triangle) const {
     const double length = e1.norm();
     if (!(length > 0))
         return {triangle, {Vec2::Zero(), Vec2::Zero(), Vec2{e2.norm(), 0}}};
-    return {triangle, {Vec2::Zero(), Vec2{length, 0}, Vec2{e1.dot(e2) / length, e1.cross(e2).norm() / length}}};
+    return {triangle,
+            {Vec2::Zero(), Vec2{length, 0}, Vec2{e1.dot(e2) / length, e1.cross(e2).norm() / length}}};
 }
 
-/// The triangle of `half_edge`, turned about the edge it shares with side `side` of `from`, to the other side of it.
+/// The triangle of `half_edge`, turned about the edge it shares with side `side` of `from`, to the other side
+/// of it.
 LaidOut Unfolder::lay_beside(const LaidOut& from, Index side, Index half_edge) const {
     const Triangle& t = base_.triangles[half_edge / 3];
     const Index k = half_edge % 3, l = (k + 1) % 3, m = (k + 2) % 3;
     LaidOut laid{half_edge / 3, {}};
     // the shared edge, with the interior of `from` on its left
     const Vec2 &a = from.corners[side], &b = from.corners[(side + 1) % 3];
-    const bool same_way = t[k] == base_.triangles[from.triangle][side]; // neighbours that disagree on their side
+    const bool same_way =
+        t[k] == base_.triangles[from.triangle][side]; // neighbours that disagree on their side
     laid.corners[k] = same_way ? a : b;
     laid.corners[l] = same_way ? b : a;
     const Vec3 edge = base_.positions[t[l]] - base_.positions[t[k]];
@@ -125,8 +131,9 @@ bool Unfolder::meet(const LaidOut& laid, std::span<const SurfacePoint, 3> points
         const Triangle& own = base_.triangles[points[i].triangle];
         for (int k = 0; k < 3; ++k)
             if (points[i].barycentric[k] > 0)
-                found_[i] += points[i].barycentric[k] *
-                             laid.corners[static_cast<std::size_t>(std::find(t.begin(), t.end(), own[k]) - t.begin())];
+                found_[i] +=
+                    points[i].barycentric[k] *
+                    laid.corners[static_cast<std::size_t>(std::find(t.begin(), t.end(), own[k]) - t.begin())];
     }
     return met_[0] && met_[1] && met_[2];
 }

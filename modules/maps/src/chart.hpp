@@ -38,9 +38,9 @@ private:
     LaidOut lay_beside(const LaidOut& from, Index side, Index half_edge) const;
 
     const TriangleMesh& base_;
-    std::vector<Index> beside_;             ///< 3 #F: the next half-edge of the same edge, in a cycle
-    std::vector<Index> star_start_, star_;  ///< triangles of each vertex
-    std::vector<unsigned> visited_;         ///< #F: last unfolding that met the triangle
+    std::vector<Index> beside_;            ///< 3 #F: the next half-edge of the same edge, in a cycle
+    std::vector<Index> star_start_, star_; ///< triangles of each vertex
+    std::vector<unsigned> visited_;        ///< #F: last unfolding that met the triangle
     unsigned turn_ = 0;
     std::vector<LaidOut> laid_out_;
     std::array<Vec2, 3> found_;

@@ -46,8 +46,13 @@ Vec3 barycentric_coordinates(const Vec3& p, const Corners& triangle) {
 }
 
 Vec3 original_point(const Vec3& p, const Corners& images, const Corners& originals) {
-    const Vec3 c = barycentric_coordinates(p, images); // p = alpha Pi(p_i) + beta Pi(p_j) + gamma Pi(p_k)
-    return c[0] * originals[0] + c[1] * originals[1] + c[2] * originals[2]; // eq. (2)
+    // p = alpha Pi(p_i) + beta Pi(p_j) + gamma Pi(p_k)
+    return original_point(barycentric_coordinates(p, images), originals);
+}
+
+Vec3 original_point(const Vec3& barycentric, const Corners& originals) {
+    return barycentric[0] * originals[0] + barycentric[1] * originals[1] +
+           barycentric[2] * originals[2]; // eq. (2)
 }
 
 } // namespace wm3d::maps

@@ -2,7 +2,9 @@
 #include <wm3d/maps/inverse_map.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "chart.hpp"
@@ -18,7 +20,9 @@ Corners corners_of(const TriangleMesh& mesh, Index t) {
     return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
 }
 
-double cross(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+double cross(const Vec2& a, const Vec2& b) {
+    return a[0] * b[1] - a[1] * b[0];
+}
 
 /// Barycentric coordinates in the plane; false if the triangle has no area.
 bool planar_coordinates(const Vec2& p, const std::array<Vec2, 3>& t, Vec3& coordinates) {
@@ -31,7 +35,8 @@ bool planar_coordinates(const Vec2& p, const std::array<Vec2, 3>& t, Vec3& coord
     return true;
 }
 
-/// Coordinates in base triangle `laid` of the images in the plane. A base triangle without area shares no point.
+/// Coordinates in base triangle `laid` of the images in the plane. A base triangle without area shares no
+/// point.
 bool images_in(const LaidOut& laid, const std::array<Vec2, 3>& points, Corners& images) {
     for (std::size_t i = 0; i < 3; ++i)
         if (!planar_coordinates(points[i], laid.corners, images[i]))
@@ -56,18 +61,13 @@ std::array<Vec2, 3> in_plane(const Corners& images) {
 InverseMap::InverseMap(const TriangleMesh& original, const BaseDomain& domain)
     : original_(original), base_(domain.mesh), at_base_vertex_(domain.original.size(), no_index),
       original_vertex_(domain.original) {
-    std::vector<std::pair<Index, Cover>> found; // with its base triangle
+    note_base_vertices();
+    std::vector<Placed> placed;
     Unfolder unfolder(base_);
-    std::vector<Index> base_vertex(original.positions.size(), no_index);
-    for (Index b = 0; b < domain.original.size(); ++b)
-        base_vertex[domain.original[b]] = b;
-    for (Index t = 0; t < original.triangles.size(); ++t) {
-        const Triangle& v = original.triangles[t];
+    for (Index t = 0; t < original_.triangles.size(); ++t) {
+        const Triangle& v = original_.triangles[t];
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0])
             continue;
-        for (Index corner : v)
-            if (base_vertex[corner] != no_index)
-                at_base_vertex_[base_vertex[corner]] = t;
         const std::array<SurfacePoint, 3> points{domain.point[v[0]], domain.point[v[1]], domain.point[v[2]]};
         if (!unfolder.unfold(points)) {
             ++left_out_;
@@ -76,21 +76,36 @@ InverseMap::InverseMap(const TriangleMesh& original, const BaseDomain& domain)
         Corners images;
         for (const LaidOut& laid : unfolder.triangles())
             if (images_in(laid, unfolder.points(), images) && !apart(images))
-                found.push_back({laid.triangle, {t, images}});
+                placed.push_back({laid.triangle, {t, images}});
     }
-    start_.assign(base_.triangles.size() + 1, 0);
-    for (const auto& [base, cover] : found)
-        ++start_[base + 1];
-    for (std::size_t i = 1; i < start_.size(); ++i)
-        start_[i] += start_[i - 1];
-    covers_.resize(found.size());
-    std::vector<Index> at(start_.begin(), start_.end() - 1);
-    for (const auto& [base, cover] : found)
-        covers_[at[base]++] = cover;
+    group(placed);
 }
 
-/// The cover with a corner at the point, else the one in which the point lies deepest. Images that are turned over
-/// count only where there is no other.
+/// Finds a triangle of the original at each base vertex.
+void InverseMap::note_base_vertices() {
+    std::vector<Index> base_vertex(original_.positions.size(), no_index);
+    for (Index b = 0; b < original_vertex_.size(); ++b)
+        base_vertex[original_vertex_[b]] = b;
+    for (Index t = 0; t < original_.triangles.size(); ++t)
+        for (Index corner : original_.triangles[t])
+            if (base_vertex[corner] != no_index)
+                at_base_vertex_[base_vertex[corner]] = t;
+}
+
+/// Sorts the covers by their base triangles.
+void InverseMap::group(const std::vector<Placed>& placed) {
+    start_.assign(base_.triangles.size() + 1, 0);
+    for (const Placed& p : placed)
+        ++start_[p.base_triangle + 1];
+    std::partial_sum(start_.begin(), start_.end(), start_.begin());
+    covers_.resize(placed.size());
+    std::vector<Index> at(start_.begin(), start_.end() - 1);
+    for (const Placed& p : placed)
+        covers_[at[p.base_triangle]++] = p.cover;
+}
+
+/// The cover with a corner at the point, else the one in which the point lies deepest. Images that are turned
+/// over count only where there is no other.
 InverseMap::Hit InverseMap::find(const SurfacePoint& base_point) const {
     Hit best{nullptr, Vec3::Zero()};
     double depth = -std::numeric_limits<double>::infinity();
@@ -107,8 +122,9 @@ InverseMap::Hit InverseMap::find(const SurfacePoint& base_point) const {
             continue;
         const double least = coordinates.minCoeff();
         const bool upright = cross(plane[1] - plane[0], plane[2] - plane[0]) > 0;
-        const bool better = least >= 0 && depth >= 0 ? std::pair(upright, least) > std::pair(best_upright, depth)
-                                                     : least > depth;
+        const bool better = least >= 0 && depth >= 0
+                                ? std::pair(upright, least) > std::pair(best_upright, depth)
+                                : least > depth;
         if (better) {
             best = {&cover, coordinates};
             depth = least;
@@ -121,29 +137,25 @@ InverseMap::Hit InverseMap::find(const SurfacePoint& base_point) const {
     return best;
 }
 
-SurfacePoint InverseMap::locate(const SurfacePoint& base_point) const {
-    const Hit hit = find(base_point);
-    if (hit.cover)
-        return {hit.cover->triangle, hit.barycentric};
-    // nothing lies over this triangle: the nearest of its corners, which are vertices of the original
-    int nearest = 0;
+/// The corner of the base triangle nearest to the point, which is a vertex of the original.
+SurfacePoint InverseMap::nearest_corner(const SurfacePoint& base_point) const {
+    Eigen::Index nearest = 0;
     base_point.barycentric.maxCoeff(&nearest);
-    const Index b = base_.triangles[base_point.triangle][nearest];
+    const Index b = base_.triangles[base_point.triangle][static_cast<std::size_t>(nearest)];
     const Triangle& t = original_.triangles[at_base_vertex_[b]];
-    return {at_base_vertex_[b],
-            Vec3::Unit(static_cast<int>(std::find(t.begin(), t.end(), original_vertex_[b]) - t.begin()))};
+    return {at_base_vertex_[b], Vec3::Unit(std::find(t.begin(), t.end(), original_vertex_[b]) - t.begin())};
+}
+
+SurfacePoint InverseMap::locate(const SurfacePoint& base_point) const {
+    if (base_point.barycentric.maxCoeff() > 1 - same_place)
+        return nearest_corner(base_point);
+    const Hit hit = find(base_point);
+    return hit.cover ? SurfacePoint{hit.cover->triangle, hit.barycentric} : nearest_corner(base_point);
 }
 
 Vec3 InverseMap::to_surface(const SurfacePoint& base_point) const {
-    const Hit hit = find(base_point);
-    if (!hit.cover)
-        return evaluate(original_, locate(base_point));
-    const Corners base = corners_of(base_, base_point.triangle);
-    Corners images;
-    for (std::size_t k = 0; k < 3; ++k)
-        images[k] = maps::base_point(base, hit.cover->images[k]); // eq. (1)
-    const Vec3 p = maps::base_point(images, hit.barycentric);
-    return original_point(p, images, corners_of(original_, hit.cover->triangle)); // eq. (2)
+    const SurfacePoint at = locate(base_point); // with alpha, beta, gamma of eq. (2)
+    return original_point(at.barycentric, corners_of(original_, at.triangle));
 }
 
 } // namespace wm3d::maps

@@ -50,14 +50,15 @@ private:
 
     simplify::WorkingSurface surface_;
     BaseDomain& domain_;
-    std::vector<Place> place_;      ///< #W
-    std::vector<Index> face_head_;  ///< #F: first vertex of the list
+    std::vector<Place> place_;     ///< #W
+    std::vector<Index> face_head_; ///< #F: first vertex of the list
 
     // the collapse in hand
     std::vector<Vec3> ring_;
     std::vector<Vec2> plane_;
     std::vector<Moved> moved_;
     std::vector<FanTriangle> fan_;
+    bool folded_ = false; ///< the flattening turned a triangle of the fan over
     Vec2 kept_;
     Index any_corner_ = no_index; ///< at kept, of a surviving triangle
 };

@@ -25,7 +25,9 @@ struct Keyed {
     Index vertex;
 };
 
-bool degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+bool degenerate(const Triangle& t) {
+    return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
 
 void check(const TriangleMesh& mesh) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
@@ -36,9 +38,10 @@ void check(const TriangleMesh& mesh) {
                                                 "model again",
                                                 f, v, mesh.positions.size()));
             if (!mesh.positions[v].allFinite())
-                throw GeometryError(fmt::format("vertex {} has a coordinate that is not a finite number: repair "
-                                                "or remove that vertex",
-                                                v));
+                throw GeometryError(
+                    fmt::format("vertex {} has a coordinate that is not a finite number: repair "
+                                "or remove that vertex",
+                                v));
         }
 }
 
@@ -54,8 +57,8 @@ std::uint64_t spread(std::uint64_t x) {
 std::uint64_t morton_code(const Vec3& unit) {
     std::uint64_t code = 0;
     for (int k = 0; k < 3; ++k) {
-        const double cell = std::clamp((unit[k] + 0.5) * static_cast<double>(radix), 0.0,
-                                       static_cast<double>(radix - 1));
+        const double cell =
+            std::clamp((unit[k] + 0.5) * static_cast<double>(radix), 0.0, static_cast<double>(radix - 1));
         code |= spread(static_cast<std::uint64_t>(cell)) << k;
     }
     return code;
@@ -83,7 +86,8 @@ void order_cells(std::vector<Keyed>& keys, const std::vector<Vec3>& positions) {
         return std::tie(p[0], p[1], p[2], a.vertex) < std::tie(q[0], q[1], q[2], b.vertex);
     };
     for (auto begin = keys.begin(); begin != keys.end();) {
-        const auto end = std::find_if(begin + 1, keys.end(), [&](const Keyed& k) { return k.code != begin->code; });
+        const auto end =
+            std::find_if(begin + 1, keys.end(), [&](const Keyed& k) { return k.code != begin->code; });
         if (end - begin > 1)
             std::sort(begin, end, before);
         begin = end;
@@ -122,7 +126,9 @@ std::vector<Index> order_vertices(const TriangleMesh& mesh, Canonical& out) {
 }
 
 /// Orders triangles that share their first corner; repeats come to stand side by side.
-auto rank(const Triangle& t) { return std::tuple(std::min(t[1], t[2]), std::max(t[1], t[2]), t[1]); }
+auto rank(const Triangle& t) {
+    return std::tuple(std::min(t[1], t[2]), std::max(t[1], t[2]), t[1]);
+}
 
 bool same_corners(const Triangle& a, const Triangle& b) {
     return a[0] == b[0] && std::minmax(a[1], a[2]) == std::minmax(b[1], b[2]);
@@ -150,7 +156,8 @@ void order_triangles(const TriangleMesh& mesh, const std::vector<Index>& number,
             sorted[start[r[0]]++] = r;
         }
     for (auto begin = sorted.begin(); begin != sorted.end();) {
-        const auto end = std::find_if(begin, sorted.end(), [&](const Triangle& t) { return t[0] != (*begin)[0]; });
+        const auto end =
+            std::find_if(begin, sorted.end(), [&](const Triangle& t) { return t[0] != (*begin)[0]; });
         std::sort(begin, end, [](const Triangle& a, const Triangle& b) { return rank(a) < rank(b); });
         begin = end;
     }

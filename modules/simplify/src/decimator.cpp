@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <wm3d/mesh/parallel.hpp>
@@ -16,40 +17,30 @@ constexpr std::size_t report_every = 8192;
 
 } // namespace
 
-Decimator::Decimator(HalfEdges& mesh, Sites& sites, const Options& options, Observer* observer)
-    : mesh_(mesh), sites_(sites), observer_(observer), queue_(initial_candidates(mesh, sites, keys_)) {
+Decimator::Decimator(Rings& rings, Sites& sites, const Options& options, Observer* observer)
+    : rings_(rings), sites_(sites), observer_(observer), queue_(initial_candidates(rings, sites, keys_)) {
     const double cosine = std::cos(options.max_normal_turn / 180 * std::numbers::pi);
     least_cosine2_ = cosine * cosine;
 }
 
-std::vector<Candidate> Decimator::initial_candidates(const HalfEdges& mesh, const Sites& sites,
+std::vector<Candidate> Decimator::initial_candidates(const Rings& rings, const Sites& sites,
                                                      std::vector<CostKey>& keys) {
-    const std::size_t count = mesh.leaving.size();
-    keys.assign(count, no_cost);
-    parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+    keys.assign(rings.size(), no_cost);
+    parallel_blocks(rings.size(), block, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
             if (sites.kind[v] == Kind::locked)
                 continue;
-            // a lower bound for boundary vertices, whose choices are fewer
-            const Index start = mesh.leaving[v];
-            double least = std::numeric_limits<double>::max();
-            const auto consider = [&](Index w) {
-                least = std::min(least, sites.quadric[v].evaluate(sites.site[w].position - sites.site[v].position));
-            };
-            Index h = start, last = h;
-            do {
-                consider(mesh.target(h));
-                last = h;
-                h = mesh.turn(h);
-            } while (h != start && h != no_index);
-            if (h == no_index)
-                consider(mesh.edges[previous(last)].origin);
+            double least =
+                std::numeric_limits<double>::max(); // too low for boundary vertices, whose choices are fewer
+            for (const Spoke& s : rings.of(v))
+                least = std::min(
+                    least, sites.quadric[v].evaluate(sites.site[s.vertex].position - sites.site[v].position));
             keys[v] = cost_key(least);
         }
     });
     std::vector<Candidate> candidates;
-    candidates.reserve(count + count / 2);
-    for (Index v = 0; v < count; ++v)
+    candidates.reserve(rings.size() + rings.size() / 16);
+    for (Index v = 0; v < rings.size(); ++v)
         if (keys[v] != no_cost)
             candidates.push_back(candidate(keys[v], v));
     return candidates;
@@ -71,20 +62,20 @@ std::size_t Decimator::remove(std::size_t count, const Progress& progress) {
     return removed;
 }
 
-/// Collapses v, whose entry is the top of the queue, if a choice at this key is sound; if not, v gets the key of
-/// its next choice.
+/// Collapses v, whose entry is the top of the queue, if a choice at this key is sound; if not, v gets the key
+/// of its next choice.
 bool Decimator::settle(Index v, CostKey key) {
-    gather(v);
     list_choices(v);
-    for (const Choice& choice : choices_) {
-        if (choice.key > key) {
-            keys_[v] = choice.key;
-            queue_.replace_top(candidate(choice.key, v));
+    for (auto rest = choices_.begin(); rest != choices_.end(); ++rest) {
+        std::iter_swap(rest, std::min_element(rest, choices_.end())); // seldom more than one is looked at
+        if (rest->key > key) {
+            keys_[v] = rest->key;
+            queue_.replace_top(candidate(rest->key, v));
             return false;
         }
-        if (keeps_topology(choice.place) && keeps_normals(v, choice.place)) {
+        if (keeps_topology(v, rest->place) && keeps_normals(v, rest->place)) {
             queue_.pop();
-            collapse(v, choice.place);
+            collapse(v, rest->place);
             return true;
         }
     }
@@ -93,77 +84,45 @@ bool Decimator::settle(Index v, CostKey key) {
     return false;
 }
 
-/// Fills ring_ and spokes_ with the fan of v.
-void Decimator::gather(Index v) {
-    ring_.clear();
-    spokes_.clear();
-    const Index start = mesh_.leaving[v];
-    Index h = start;
-    do {
-        spokes_.push_back(h);
-        ring_.push_back(mesh_.target(h));
-        h = mesh_.turn(h);
-    } while (h != start && h != no_index);
-    closed_ = h == start;
-    if (!closed_)
-        ring_.push_back(mesh_.edges[previous(spokes_.back())].origin);
-}
-
-/// Fills choices_, cheapest first, places deciding between equals.
 void Decimator::list_choices(Index v) {
     choices_.clear();
-    const auto last = static_cast<Index>(ring_.size() - 1);
-    for (Index i = 0; i <= last; i += closed_ ? 1 : last)
-        choices_.push_back({cost_key(cost(v, ring_[i])), i});
-    std::sort(choices_.begin(), choices_.end(), [&](const Choice& a, const Choice& b) {
-        return a.key != b.key ? a.key < b.key : ring_[a.place] < ring_[b.place];
-    });
+    const Ring ring = rings_.of(v);
+    const std::size_t last = ring.size() - 1;
+    for (std::size_t i = 0; i <= last; i += is_closed(ring) ? 1 : last)
+        choices_.push_back({cost_key(cost(v, ring[i].vertex)), ring[i].vertex, i});
 }
 
 /// The link condition: the only vertices next to both ends of the edge are those of its triangles, and no
 /// component is flattened into two faces or lost.
-bool Decimator::keeps_topology(Index kept_place) const {
-    const auto size = static_cast<Index>(ring_.size());
-    const Index kept = ring_[kept_place];
-    if (!closed_ && spokes_.size() == 1 && mesh_.edges[next(spokes_[0])].twin == no_index)
-        return false; // a lone triangle
-    if (closed_ && size == 3) {
-        const Index opposite = mesh_.edges[next(spokes_[(kept_place + 1) % 3])].twin;
-        if (opposite != no_index && mesh_.edges[previous(opposite)].origin == kept)
-            return false; // a tetrahedron
+bool Decimator::keeps_topology(Index v, std::size_t place) const {
+    const Ring ring = rings_.of(v), around = rings_.of(ring[place].vertex);
+    const std::size_t size = ring.size();
+    const bool closed = is_closed(ring);
+    if (closed ? size == 3 && around.size() == 3 && is_closed(around) : size == 2 && around.size() == 2)
+        return false; // a tetrahedron, a lone triangle
+    const std::size_t after = closed && place + 1 == size ? 0 : place + 1;
+    const std::size_t before = place > 0 ? place - 1 : closed ? size - 1 : size;
+    for (std::size_t i = 0; i < size; ++i) {
+        if (i == after || i == before)
+            continue;
+        for (const Spoke& s : around)
+            if (s.vertex == ring[i].vertex)
+                return false;
     }
-    const auto beside = [&](Index i) {
-        return closed_ ? (i + 1) % size == kept_place || (kept_place + 1) % size == i
-                       : i + 1 == kept_place || kept_place + 1 == i;
-    };
-    const auto forbidden = [&](Index w) {
-        for (Index i = 0; i < size; ++i)
-            if (ring_[i] == w)
-                return !beside(i);
-        return false;
-    };
-    const Index start = mesh_.leaving[kept];
-    Index h = start, last = h;
-    do {
-        if (forbidden(mesh_.target(h)))
-            return false;
-        last = h;
-        h = mesh_.turn(h);
-    } while (h != start && h != no_index);
-    return h == start || !forbidden(mesh_.edges[previous(last)].origin);
+    return true;
 }
 
 /// No surviving triangle turns too far.
-bool Decimator::keeps_normals(Index v, Index kept_place) const {
+bool Decimator::keeps_normals(Index v, std::size_t place) const {
+    const Ring ring = rings_.of(v);
     const Vec3& from = sites_.site[v].position;
-    const Vec3& to = sites_.site[ring_[kept_place]].position;
-    const std::size_t size = ring_.size();
-    for (std::size_t i = 0; i < spokes_.size(); ++i) {
-        const std::size_t j = i + 1 == size ? 0 : i + 1;
-        if (i == kept_place || j == kept_place)
+    const Vec3& to = sites_.site[ring[place].vertex].position;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const std::size_t j = i + 1 == ring.size() ? 0 : i + 1;
+        if (i == place || j == place || ring[i].corner == no_index)
             continue; // vanishes
-        const Vec3& a = sites_.site[ring_[i]].position;
-        const Vec3& b = sites_.site[ring_[j]].position;
+        const Vec3& a = sites_.site[ring[i].vertex].position;
+        const Vec3& b = sites_.site[ring[j].vertex].position;
         const Vec3 old_normal = (a - from).cross(b - from), new_normal = (a - to).cross(b - to);
         const double old2 = old_normal.squaredNorm(), dot = old_normal.dot(new_normal);
         if (old2 > 0 && (dot <= 0 || dot * dot < least_cosine2_ * old2 * new_normal.squaredNorm()))
@@ -172,17 +131,10 @@ bool Decimator::keeps_normals(Index v, Index kept_place) const {
     return true;
 }
 
-void Decimator::collapse(Index v, Index kept_place) {
-    if (closed_) { // the kept vertex comes first
-        std::rotate(ring_.begin(), ring_.begin() + kept_place, ring_.end());
-        std::rotate(spokes_.begin(), spokes_.begin() + kept_place, spokes_.end());
-        kept_place = 0;
-    }
-    const Index kept = ring_[kept_place];
+void Decimator::collapse(Index v, std::size_t place) {
     if (observer_)
-        observer_->collapse({v, kept, closed_, ring_, spokes_,
-                             spokes_.size() == 1 ? mesh_.edges[next(spokes_[0])].twin : no_index});
-
+        tell_observer(v, place);
+    const Index kept = rings_.of(v)[place].vertex;
     const double total = cost(v, kept);
     Quadric& quadric = sites_.quadric[kept];
     quadric.merge(sites_.quadric[v], offset(v, kept));
@@ -190,72 +142,40 @@ void Decimator::collapse(Index v, Index kept_place) {
     if (const double weight = quadric.trace(); weight > 0)
         largest_error_ = std::max(largest_error_, total / weight);
 
-    stitch(v, kept_place);
+    const Ring ring = rings_.of(v);
+    ring_.assign(ring.begin(), ring.end());
+    rings_.collapse(v, place);
+    keys_[v] = no_cost;
     reconsider(kept);
 }
 
-/// Rewrites the half-edges around v: what began there begins at the kept vertex, and the triangles at the edge
-/// between them vanish.
-void Decimator::stitch(Index v, Index kept_place) {
-    const Index kept = ring_[kept_place];
-    for (Index h : spokes_)
-        mesh_.edges[h].origin = kept;
-    if (kept_place == 0)
-        fold_first(kept);
-    if (closed_ || kept_place != 0)
-        fold_last(kept);
-    mesh_.leaving[v] = no_index;
-    keys_[v] = no_cost;
+void Decimator::tell_observer(Index v, std::size_t place) {
+    const Ring ring = rings_.of(v);
+    Collapse step{v, ring[place].vertex, ring, place, no_index};
+    if (!step.closed() && ring.size() == 2)
+        for (const Spoke& s : rings_.of(ring[1].vertex))
+            if (s.vertex == ring[0].vertex)
+                step.beyond = s.corner;
+    observer_->collapse(step);
 }
 
-/// Triangle (v, kept, b): its sides (kept, b) and (b, v) become one edge.
-void Decimator::fold_first(Index kept) {
-    const Index spoke = spokes_.front(), far = next(spoke), back = previous(spoke);
-    replace_leaving(kept, far, mesh_.edges[back].twin);
-    replace_leaving(ring_[1], back, mesh_.edges[far].twin);
-    fold(spoke, far, back);
-}
-
-/// Triangle (v, a, kept): its sides (v, a) and (a, kept) become one edge.
-void Decimator::fold_last(Index kept) {
-    const Index spoke = spokes_.back(), far = next(spoke), back = previous(spoke);
-    const Index a = ring_[spokes_.size() - 1];
-    replace_leaving(a, far, mesh_.edges[spoke].twin);
-    if (closed_)
-        replace_leaving(kept, back, spokes_[1]);
-    else // the boundary now leaves the kept vertex where it left v
-        replace_leaving(kept, back, spokes_.size() > 1 ? spokes_.front() : mesh_.edges[far].twin);
-    fold(spoke, spoke, far);
-}
-
-void Decimator::replace_leaving(Index v, Index gone, Index instead) {
-    if (mesh_.leaving[v] == gone)
-        mesh_.leaving[v] = instead;
-}
-
-/// Removes the triangle of `spoke`; what lay beyond its sides x and y becomes adjacent.
-void Decimator::fold(Index spoke, Index x, Index y) {
-    const Index beyond_x = mesh_.edges[x].twin, beyond_y = mesh_.edges[y].twin;
-    if (beyond_x != no_index)
-        mesh_.edges[beyond_x].twin = beyond_y;
-    if (beyond_y != no_index)
-        mesh_.edges[beyond_y].twin = beyond_x;
-    for (Index h : {spoke, next(spoke), previous(spoke)})
-        mesh_.edges[h].origin = no_index;
-}
-
-/// The only costs that may have fallen are those of the new edges, which all end at `kept`.
+/// After a collapse to `kept`: its own costs are new; of the costs of its neighbours only those along new
+/// edges may have fallen, and a neighbour that was stuck gets another chance.
 void Decimator::reconsider(Index kept) {
+    for (const Spoke& s : ring_)
+        if (s.vertex != kept && (sites_.kind[s.vertex] == Kind::interior ||
+                                 sites_.kind[kept] != Kind::interior || keys_[s.vertex] == no_cost))
+            lower_key(s.vertex, cost(s.vertex, kept));
+    if (sites_.kind[kept] == Kind::locked)
+        return;
     double least = std::numeric_limits<double>::max();
-    for (Index w : ring_) {
-        if (w == kept)
-            continue;
-        least = std::min(least, cost(kept, w));
-        const bool allowed = sites_.kind[w] == Kind::interior || sites_.kind[kept] != Kind::interior;
-        if (allowed || keys_[w] == no_cost) // a vertex that was stuck gets another chance
-            lower_key(w, cost(w, kept));
-    }
-    lower_key(kept, least);
+    const double constant = sites_.site[kept].constant;
+    const Quadric quadric = sites_.quadric[kept];
+    for (const Spoke& s : rings_.of(kept))
+        least = std::min(least, constant + quadric.evaluate(offset(kept, s.vertex)) +
+                                    sites_.site[s.vertex].constant);
+    keys_[kept] = cost_key(least);
+    queue_.push(candidate(keys_[kept], kept));
 }
 
 void Decimator::lower_key(Index v, double cost) {

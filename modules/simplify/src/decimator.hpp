@@ -2,7 +2,6 @@
 /// \file  The greedy loop of half-edge collapses.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include <wm3d/mesh/progress.hpp>
@@ -10,18 +9,18 @@
 #include <wm3d/simplify/simplify.hpp>
 
 #include "candidate_queue.hpp"
-#include "half_edges.hpp"
+#include "rings.hpp"
 #include "sites.hpp"
 
 namespace wm3d::simplify {
 
-/// Removes vertices in the order of least quadric error. The key of a vertex in the queue never exceeds its true
-/// cost: merging quadrics only raises costs, and the one way to a lower cost, a new edge, is looked at when it
-/// appears. So a cost is computed anew only when its vertex comes to the top.
+/// Removes vertices in the order of least quadric error. The key of a vertex in the queue never exceeds its
+/// true cost: merging quadrics only raises costs, and the one way to a lower cost, a new edge, is looked at
+/// when it appears. So a cost is computed anew only when its vertex comes to the top.
 class Decimator {
 public:
     /// \pre  `observer` may be null
-    Decimator(HalfEdges& mesh, Sites& sites, const Options& options, Observer* observer);
+    Decimator(Rings& rings, Sites& sites, const Options& options, Observer* observer);
 
     /// Removes `count` vertices, or as many as can go. Returns the number removed.
     std::size_t remove(std::size_t count, const Progress& progress);
@@ -33,22 +32,19 @@ private:
     /// A neighbour the vertex in hand could collapse to.
     struct Choice {
         CostKey key;
-        Index place; ///< in ring_
+        Index vertex;
+        std::size_t place; ///< in the ring
+        bool operator<(const Choice& o) const { return key != o.key ? key < o.key : vertex < o.vertex; }
     };
 
-    static std::vector<Candidate> initial_candidates(const HalfEdges& mesh, const Sites& sites,
+    static std::vector<Candidate> initial_candidates(const Rings& rings, const Sites& sites,
                                                      std::vector<CostKey>& keys);
     bool settle(Index v, CostKey key);
-    void gather(Index v);
     void list_choices(Index v);
-    bool keeps_topology(Index kept_place) const;
-    bool keeps_normals(Index v, Index kept_place) const;
-    void collapse(Index v, Index kept_place);
-    void stitch(Index v, Index kept_place);
-    void fold_first(Index kept);
-    void fold_last(Index kept);
-    void fold(Index spoke, Index x, Index y);
-    void replace_leaving(Index v, Index gone, Index instead);
+    bool keeps_topology(Index v, std::size_t place) const;
+    bool keeps_normals(Index v, std::size_t place) const;
+    void collapse(Index v, std::size_t place);
+    void tell_observer(Index v, std::size_t place);
     void reconsider(Index kept);
     void lower_key(Index v, double cost);
 
@@ -58,19 +54,15 @@ private:
                sites_.site[kept].constant;
     }
 
-    HalfEdges& mesh_;
+    Rings& rings_;
     Sites& sites_;
     Observer* observer_;
-    double least_cosine2_ = 0;   ///< square of the cosine of the largest turn of a normal
-    std::vector<CostKey> keys_;  ///< of each vertex's live entry in the queue; no_cost: none
+    double least_cosine2_ = 0;  ///< square of the cosine of the largest turn of a normal
+    std::vector<CostKey> keys_; ///< of each vertex's live entry in the queue; no_cost: none
     CandidateQueue queue_;
     double largest_error_ = 0;
-
-    // the vertex in hand; kept between calls to save allocations
-    std::vector<Index> ring_;    ///< neighbours, counter-clockwise
-    std::vector<Index> spokes_;  ///< half-edges from the vertex, one per triangle
-    bool closed_ = true;
-    std::vector<Choice> choices_;
+    std::vector<Spoke> ring_;     ///< of the vertex just removed
+    std::vector<Choice> choices_; ///< of the vertex in hand; kept between calls to save allocations
 };
 
 } // namespace wm3d::simplify

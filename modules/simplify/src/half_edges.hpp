@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Compact half-edges: three per triangle, numbered 3 f + k, so that next and previous need no storage.
+/// \file  Compact half-edges: three per triangle, numbered 3 f + k, so that next and previous need no
+/// storage.
 #pragma once
 
 #include <vector>
@@ -13,8 +14,12 @@ struct HalfEdge {
     Index twin = no_index;   ///< the same edge in the neighbouring triangle; no_index at a boundary
 };
 
-inline Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-inline Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+inline Index next(Index h) {
+    return h % 3 == 2 ? h - 2 : h + 1;
+}
+inline Index previous(Index h) {
+    return h % 3 == 0 ? h + 2 : h - 1;
+}
 
 /// A manifold surface: its half-edges, and per vertex one that leaves it.
 struct HalfEdges {
@@ -27,13 +32,9 @@ struct HalfEdges {
     Index target(Index h) const { return edges[next(h)].origin; }
     /// The next half-edge counter-clockwise around the same origin; no_index at the boundary.
     Index turn(Index h) const { return edges[previous(h)].twin; }
-    bool boundary(Index v) const { return edges[leaving[v]].twin == no_index; }
 };
 
-/// Pairs the half-edges of `triangles`. Triangles are turned over where neighbours disagree, the larger area
-/// of each component deciding. Edges of three or more triangles and seams that can't be oriented are cut
-/// open; each fan of triangles around a vertex then becomes a vertex of its own, numbered after the others.
-/// \pre  no triangle repeats a corner or the corners of another; every vertex below `vertices` has a triangle
+/// Builds the half-edges of any mesh, as `build_surface` describes.
 HalfEdges build_half_edges(std::vector<Triangle> triangles, const std::vector<Vec3>& positions);
 
 } // namespace wm3d::simplify

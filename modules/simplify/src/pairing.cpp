@@ -7,6 +7,7 @@
 
 #include <wm3d/mesh/parallel.hpp>
 
+#include "corners.hpp"
 #include "half_edges.hpp"
 
 namespace wm3d::simplify {
@@ -22,30 +23,10 @@ struct Spoke {
     bool outward; ///< runs from the vertex to the other
 };
 
-/// Corners grouped by vertex: those of v are corners[start[v]] up to corners[start[v + 1]].
-struct Corners {
-    std::vector<Index> start, corners;
-};
-
-Corners corners_by_vertex(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    Corners by;
-    by.start.assign(vertices + 1, 0);
-    for (const Triangle& t : triangles)
-        for (Index v : t)
-            ++by.start[v + 1];
-    for (std::size_t v = 0; v < vertices; ++v)
-        by.start[v + 1] += by.start[v];
-    by.corners.resize(3 * triangles.size());
-    std::vector<Index> at(by.start.begin(), by.start.end() - 1);
-    for (std::size_t f = 0; f < triangles.size(); ++f)
-        for (Index k = 0; k < 3; ++k)
-            by.corners[at[triangles[f][k]]++] = static_cast<Index>(3 * f) + k;
-    return by;
-}
-
 /// The half-edges between v and vertices of greater number, sorted by the other vertex. Each edge of the
 /// mesh is so met once, at its smaller end.
-void collect_spokes(const std::vector<Triangle>& triangles, const Corners& by, Index v, std::vector<Spoke>& spokes) {
+void collect_spokes(const std::vector<Triangle>& triangles, const Corners& by, Index v,
+                    std::vector<Spoke>& spokes) {
     spokes.clear();
     for (Index i = by.start[v]; i < by.start[v + 1]; ++i) {
         const Index out = by.corners[i], in = previous(out);

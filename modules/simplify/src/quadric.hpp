@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Quadric error of planes (M. Garland, P. Heckbert, SIGGRAPH 1997), each quadric about its own vertex:
-/// numbers near zero keep their digits, and most constants and linear terms start as exact zeros.
+/// \file  Quadric error of planes (M. Garland, P. Heckbert, SIGGRAPH 1997), each quadric about its own
+/// vertex: numbers near zero keep their digits, and most constants and linear terms start as exact zeros.
 #pragma once
 
 #include <wm3d/mesh/types.hpp>

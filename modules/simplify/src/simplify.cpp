@@ -17,14 +17,16 @@ namespace {
 
 void check(const Options& options) {
     if (!(options.boundary_weight >= 0) || !std::isfinite(options.boundary_weight))
-        throw ParameterError(fmt::format("the boundary weight is {}, but it must be a finite number of at least 0",
-                                         options.boundary_weight));
-    if (!(options.isotropy >= 0) || !std::isfinite(options.isotropy))
         throw ParameterError(
-            fmt::format("the isotropy is {}, but it must be a finite number of at least 0", options.isotropy));
+            fmt::format("the boundary weight is {}, but it must be a finite number of at least 0",
+                        options.boundary_weight));
+    if (!(options.isotropy >= 0) || !std::isfinite(options.isotropy))
+        throw ParameterError(fmt::format("the isotropy is {}, but it must be a finite number of at least 0",
+                                         options.isotropy));
     if (!(options.max_normal_turn >= 0 && options.max_normal_turn <= 90))
-        throw ParameterError(fmt::format("the largest turn of a normal is {} degrees, but it must be between 0 and 90",
-                                         options.max_normal_turn));
+        throw ParameterError(
+            fmt::format("the largest turn of a normal is {} degrees, but it must be between 0 and 90",
+                        options.max_normal_turn));
 }
 
 /// The numbers of working vertices in the base mesh: those that live, the copies of one vertex as one.
@@ -33,40 +35,38 @@ struct Numbering {
     std::vector<Index> kept;        ///< #base vertices: working vertices
 };
 
-Numbering number_survivors(const HalfEdges& mesh) {
+Numbering number_survivors(const Rings& rings, const std::vector<Index>& source) {
     Numbering numbering;
-    numbering.base_vertex.assign(mesh.leaving.size(), no_index);
-    for (Index w = 0; w < mesh.leaving.size(); ++w) {
-        if (mesh.leaving[w] == no_index)
+    numbering.base_vertex.assign(rings.size(), no_index);
+    for (Index w = 0; w < rings.size(); ++w) {
+        if (!rings.alive(w))
             continue;
-        const Index source = mesh.source[w]; // never greater than w, so numbered before its copies
-        if (source == w) {
+        if (source[w] == w) {
             numbering.base_vertex[w] = static_cast<Index>(numbering.kept.size());
             numbering.kept.push_back(w);
-        } else {
-            numbering.base_vertex[w] = numbering.base_vertex[source];
+        } else { // a copy; copies follow all others
+            numbering.base_vertex[w] = numbering.base_vertex[source[w]];
         }
     }
     return numbering;
 }
 
-/// Fills mesh and original; returns the working face of each triangle.
-std::vector<Index> extract(const TriangleMesh& input, const HalfEdges& mesh, const std::vector<Index>& input_vertex,
-                           const Numbering& numbering, Result& result) {
-    for (Index w : numbering.kept) {
-        result.original.push_back(input_vertex[w]);
-        result.mesh.positions.push_back(input.positions[input_vertex[w]]);
-    }
-    std::vector<Index> faces;
-    for (Index h = 0; h < mesh.edges.size(); h += 3) {
-        if (mesh.edges[h].origin == no_index)
-            continue;
-        result.mesh.triangles.push_back({numbering.base_vertex[mesh.edges[h].origin],
-                                         numbering.base_vertex[mesh.edges[h + 1].origin],
-                                         numbering.base_vertex[mesh.edges[h + 2].origin]});
-        faces.push_back(h / 3);
-    }
-    return faces;
+/// The triangles that live, in the order of their faces. \param faces  receives the working face of each.
+std::vector<Triangle> surviving_triangles(const Rings& rings, const std::vector<Index>& base_vertex,
+                                          std::size_t face_count, std::vector<Index>& faces) {
+    constexpr Triangle none{no_index, no_index, no_index};
+    std::vector<Triangle> triangles(face_count, none);
+    for (Index w = 0; w < rings.size(); ++w)
+        for (const Spoke& s : rings.of(w))
+            if (s.corner != no_index)
+                triangles[s.corner / 3][s.corner % 3] = base_vertex[w];
+    std::vector<Triangle> surviving;
+    for (Index f = 0; f < face_count; ++f)
+        if (triangles[f] != none) {
+            surviving.push_back(triangles[f]);
+            faces.push_back(f);
+        }
+    return surviving;
 }
 
 /// What an observer is shown: copies of the vertices and corners as they are before the first collapse.
@@ -74,40 +74,62 @@ struct Snapshot {
     std::vector<Vec3> positions;
     std::vector<Index> corners, input_vertex;
 
-    Snapshot(const HalfEdges& mesh, const Canonical& input) {
-        for (Index source : mesh.source) {
-            positions.push_back(input.positions[source]);
-            input_vertex.push_back(input.input_vertex[source]);
+    Snapshot(const Canonical& input, const std::vector<Index>& source, const Rings& rings, std::size_t faces)
+        : corners(3 * faces) {
+        positions.reserve(source.size());
+        input_vertex.reserve(source.size());
+        for (Index w = 0; w < source.size(); ++w) {
+            positions.push_back(input.positions[source[w]]);
+            input_vertex.push_back(input.input_vertex[source[w]]);
+            for (const Spoke& s : rings.of(w))
+                if (s.corner != no_index)
+                    corners[s.corner] = w;
         }
-        for (const HalfEdge& edge : mesh.edges)
-            corners.push_back(edge.origin);
     }
 };
+
+/// Everything the simplification works on.
+struct Workplace {
+    Canonical input;
+    std::size_t faces = 0;
+    Surface surface;
+    Sites sites;
+};
+
+Workplace prepare(const TriangleMesh& mesh, const Options& options) {
+    Canonical input = canonical_order(mesh);
+    const std::size_t faces = input.triangles.size();
+    Surface surface = build_surface(std::exchange(input.triangles, {}), input.positions);
+    Sites sites = build_sites(surface, input.positions, options);
+    return {std::move(input), faces, std::move(surface), std::move(sites)};
+}
 
 Result run(const TriangleMesh& mesh, const Options& options, Observer* observer, const Progress& progress) {
     check(options);
     report(progress, "simplify", 0);
-    Canonical input = canonical_order(mesh);
-    const std::size_t vertices = input.positions.size();
-    HalfEdges half_edges = build_half_edges(std::exchange(input.triangles, {}), input.positions);
-    Sites sites = build_sites(half_edges, input.positions, options);
-
+    Workplace work = prepare(mesh, options);
     std::optional<Snapshot> snapshot;
     if (observer) {
-        snapshot.emplace(half_edges, input);
+        snapshot.emplace(work.input, work.surface.source, work.surface.rings, work.faces);
         observer->start({snapshot->positions, snapshot->corners, snapshot->input_vertex});
     }
     Result result;
+    const std::size_t vertices = work.input.positions.size();
     if (vertices <= options.target_vertices) {
         result.stop = Stop::already_small;
     } else {
-        Decimator decimator(half_edges, sites, options, observer);
+        Decimator decimator(work.surface.rings, work.sites, options, observer);
         result.collapses = decimator.remove(vertices - options.target_vertices, progress);
-        result.error = std::sqrt(decimator.largest_error()) * input.scale;
+        result.error = std::sqrt(decimator.largest_error()) * work.input.scale;
         result.stop = vertices - result.collapses == options.target_vertices ? Stop::reached : Stop::blocked;
     }
-    const Numbering numbering = number_survivors(half_edges);
-    const std::vector<Index> faces = extract(mesh, half_edges, input.input_vertex, numbering, result);
+    const Numbering numbering = number_survivors(work.surface.rings, work.surface.source);
+    std::vector<Index> faces;
+    result.mesh.triangles = surviving_triangles(work.surface.rings, numbering.base_vertex, work.faces, faces);
+    for (Index w : numbering.kept) {
+        result.original.push_back(work.input.input_vertex[w]);
+        result.mesh.positions.push_back(mesh.positions[result.original.back()]);
+    }
     if (observer)
         observer->finish(faces);
     report(progress, "simplify", 1);
@@ -132,7 +154,8 @@ Result simplify(const TriangleMesh& mesh, const Options& options, const Progress
     return run(mesh, options, nullptr, progress);
 }
 
-Result simplify(const TriangleMesh& mesh, const Options& options, Observer& observer, const Progress& progress) {
+Result simplify(const TriangleMesh& mesh, const Options& options, Observer& observer,
+                const Progress& progress) {
     return run(mesh, options, &observer, progress);
 }
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "half_edges.hpp"
 #include "quadric.hpp"
+#include "surface.hpp"
 
 namespace wm3d::simplify {
 
@@ -29,7 +29,8 @@ struct Sites {
     std::vector<Kind> kind;       ///< #W
 };
 
-/// Area-weighted plane quadrics, isotropic quadrics and boundary planes, gathered per vertex in fan order.
-Sites build_sites(const HalfEdges& mesh, const std::vector<Vec3>& positions, const Options& options);
+/// Area-weighted plane quadrics, isotropic quadrics and boundary planes, gathered per vertex in the order of
+/// its ring.
+Sites build_sites(const Surface& surface, const std::vector<Vec3>& positions, const Options& options);
 
 } // namespace wm3d::simplify

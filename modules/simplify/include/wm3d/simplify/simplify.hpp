@@ -38,29 +38,31 @@ struct Result {
     TriangleMesh mesh;           ///< the base mesh, consistently oriented where the input can be
     std::vector<Index> original; ///< #base vertices: their numbers in the input
     Stop stop = Stop::reached;
-    double error = 0;            ///< largest root mean square distance, in units of the mesh, of a kept vertex
-                                 ///< from the planes it stands for (boundary planes included)
+    double error = 0; ///< largest root mean square distance, in units of the mesh, of a kept vertex
+                      ///< from the planes it stands for (boundary planes included)
     std::size_t collapses = 0;
 };
 
 /// Simplifies `mesh` by half-edge collapses, always the one of least quadric error (M. Garland, P. Heckbert,
-/// "Surface simplification using quadric error metrics", SIGGRAPH 1997, quadrics weighted by area; a base vertex
-/// is a vertex of the input at its own position). This is the simplification of the paper's section 2.1.
+/// "Surface simplification using quadric error metrics", SIGGRAPH 1997, quadrics weighted by area; a base
+/// vertex is a vertex of the input at its own position). This is the simplification of the paper's
+/// section 2.1.
 ///
-/// Any mesh is accepted. Triangles that repeat a corner or that repeat the corners of another triangle are left
-/// out; isolated vertices are neither counted nor kept. Vertices where the surface is not a manifold (edges of
-/// three or more triangles, several fans, seams that can't be oriented) are kept. Boundary vertices move only
-/// along the boundary. Every component, every boundary loop and every handle stays: a component ends as a
-/// tetrahedron or a triangle at the smallest.
+/// Any mesh is accepted. Triangles that repeat a corner or that repeat the corners of another triangle are
+/// left out; isolated vertices are neither counted nor kept. Vertices where the surface is not a manifold
+/// (edges of three or more triangles, several fans, seams that can't be oriented) are kept. Boundary vertices
+/// move only along the boundary. Every component, every boundary loop and every handle stays: a component
+/// ends as a tetrahedron or a triangle at the smallest.
 ///
-/// The result doesn't depend on the order of vertices and triangles in the input, nor on its scale or place: ties
-/// are decided by position. Vertices and triangles of the base mesh follow a space-filling curve.
+/// The result doesn't depend on the order of vertices and triangles in the input, nor on its scale or place:
+/// ties are decided by position. Vertices and triangles of the base mesh follow a space-filling curve.
 ///
 /// \throw GeometryError   if a triangle names a vertex that isn't there, or a used coordinate isn't finite
 /// \throw ParameterError  if an option is out of range
 Result simplify(const TriangleMesh& mesh, const Options& options, const Progress& progress = {});
 
 /// The same, with every collapse told to `observer` as it happens.
-Result simplify(const TriangleMesh& mesh, const Options& options, Observer& observer, const Progress& progress = {});
+Result simplify(const TriangleMesh& mesh, const Options& options, Observer& observer,
+                const Progress& progress = {});
 
 } // namespace wm3d::simplify
