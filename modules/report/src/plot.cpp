@@ -82,7 +82,7 @@ std::string gnuplot_script(const Plot& plot, const std::string& terminal) {
                     "set ylabel {} noenhanced\n"
                     "set logscale xy\n"
                     "set format xy '10^{{%T}}'\n"
-                    "set xtics nomirror\n"
+                    "set tics nomirror scale 0.7,0.001\n"
                     "set ytics nomirror\n"
                     "set border 3 lc rgb '#404040'\n"
                     "set grid xtics ytics lc rgb '#d9d9d9' lt 1 lw 0.6\n"
