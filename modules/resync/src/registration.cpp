@@ -50,15 +50,27 @@ std::vector<Similarity> axis_starts(const Unit& whole, const Unit& part) {
     return starts;
 }
 
-/// Normals that point inwards turned outwards: a mirror image may have kept the order of its corners.
-TriangleMesh outward(TriangleMesh mesh, const PoseTemplate& points) {
+/// Whether normals point inwards on the whole: files of inside-out triangles are common, and a mirror image may have
+/// kept the order of its corners.
+bool inside_out(const PoseTemplate& unit_points) {
     double flux = 0;
-    for (std::size_t i = 0; i < points.points.size(); ++i)
-        flux += points.points[i].dot(points.normals[i]);
-    if (flux < 0)
+    for (std::size_t i = 0; i < unit_points.points.size(); ++i)
+        flux += unit_points.points[i].dot(unit_points.normals[i]);
+    return flux < 0;
+}
+
+TriangleMesh outward(TriangleMesh mesh, const PoseTemplate& unit_points) {
+    if (inside_out(unit_points))
         for (Triangle& t : mesh.triangles)
             std::swap(t[1], t[2]);
     return mesh;
+}
+
+PoseTemplate outward(PoseTemplate unit_points) {
+    if (inside_out(unit_points))
+        for (Vec3& n : unit_points.normals)
+            n = -n;
+    return unit_points;
 }
 
 /// The suspect in units of its own mean radius.
@@ -135,7 +147,7 @@ double rival_coverage(const std::vector<Attempt>& attempts) {
 
 Registration register_proper(const PoseTemplate& original, const Part& part, const RegistrationOptions& options) {
     const Unit unit = unit_of(original);
-    const PoseTemplate whole = moved(original, unit.to_unit);
+    const PoseTemplate whole = outward(moved(original, unit.to_unit));
     const PointIndex index(whole);
 
     Registration result;

@@ -55,6 +55,16 @@ TEST_CASE("a cut copy is aligned by matching pairs of points") {
     }
 }
 
+TEST_CASE("inside-out triangles don't matter, on either side") {
+    TriangleMesh mesh = lumpy(), turned = mesh;
+    for (Triangle& t : turned.triangles)
+        std::swap(t[0], t[1]);
+    check_found(resync::register_template(resync::make_template(turned, 1500), moved(mesh, far_away)), far_away, 0.01,
+                1e-4);
+    check_found(resync::register_template(resync::make_template(turned, 1500), moved(turned, far_away)), far_away, 0.01,
+                1e-4);
+}
+
 TEST_CASE("noise does not keep a copy from being aligned") {
     const TriangleMesh mesh = lumpy();
     const TriangleMesh noisy = attack::add_noise(mesh, 0.5, 1);
