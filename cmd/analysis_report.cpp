@@ -248,7 +248,7 @@ std::string roc_page(const AnalysisReport& report, const std::string& json) {
         report.measured.empty()
             ? "Both axes are logarithmic; the probabilities have no unit."
             : "Both axes are logarithmic; the probabilities have no unit. Bars are 95 % Clopper-Pearson "
-              "intervals.";
+              "intervals; a point on the lower axis says that no mark was missed.";
     if (of_mesh(report))
         page.sections.push_back({"The mesh", "Lengths in units of the mean radius.", mesh_table(report)});
     for (RocTable& table : roc_tables(report))

@@ -201,7 +201,8 @@ AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMes
     if (!arguments.resume.empty())
         log = std::make_unique<pipeline::TrialLog>(arguments.resume, pipeline::mesh_fingerprint(mesh));
     AnalysisReport report;
-    report.title = fmt::format("ROC curves of {}{}", display_name(arguments.files.input),
+    report.title = fmt::format("ROC curves of {}{}",
+                               std::filesystem::path(display_name(arguments.files.input)).filename().string(),
                                damage.damage ? " after " + damage.name : "");
     for (std::size_t n : vertices_of(arguments)) {
         pipeline::TrialSetting setting = setting_of(arguments, key, n);

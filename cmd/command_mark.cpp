@@ -210,10 +210,9 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     auto* gamma = app.add_option("--gamma", options.gamma,
                                  "Strength as gamma of the paper's eq. (3), instead of --strength");
     gamma->option_text("G")->check(positive_number())->excludes(strength);
-    auto* automatic =
-        app.add_flag("--auto", arguments.automatic,
-                     "Find the smallest strength that meets --pf and --pm, as analyze --recommend");
-    automatic->excludes(strength)->excludes(gamma);
+    auto* automatic = app.add_flag("--auto", arguments.automatic,
+                                   "The smallest that meets --pf and --pm, as analyze --recommend");
+    automatic->option_text("(finds the strength)")->excludes(strength)->excludes(gamma);
     app.add_option("--pm", arguments.pm, "With --auto: miss probability at most [1e-6]")
         ->option_text("P")
         ->check(probability())

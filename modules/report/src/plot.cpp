@@ -87,7 +87,7 @@ std::string gnuplot_script(const Plot& plot, const std::string& terminal) {
                     "set border 3 lc rgb '#404040'\n"
                     "set grid xtics ytics lc rgb '#d9d9d9' lt 1 lw 0.6\n"
                     "set yrange [{:g}:1]\n"
-                    "set key outside right top Left reverse noenhanced samplen 3 spacing 1.2\n",
+                    "set key below left Left reverse noenhanced samplen 3 spacing 1.2 width 2\n",
                     terminal, quoted(plot.title), quoted(plot.x_label), quoted(plot.y_label), floor);
     std::string items;
     for (std::size_t c = 0; c < plot.curves.size(); ++c) {
