@@ -176,7 +176,9 @@ double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
         const double log10_p = saddlepoint_log10_tail(statistic, t);
         if (std::abs(log10_p - log10_pf) < 1e-9 || log10_p < -300)
             break;
-        t = std::min(t + sigma * (target - normal_quantile(log10_p)), 0.5 * (t + statistic.maximum()));
+        const double next = std::min(t + sigma * (target - normal_quantile(log10_p)), 0.5 * (t + statistic.maximum()));
+        // Near the largest value a statistic of few terms can take, a step may lead far beyond the mean.
+        t = target > 0 ? std::max(next, 0.5 * t) : next;
     }
     return t;
 }

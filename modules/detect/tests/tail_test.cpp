@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/detect/tail.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,4 +91,17 @@ TEST_CASE("the quantile is where the tail has the probability") {
     const LinearStatistic t = uneven_terms();
     for (double log10_pf : {-0.5, -1.0, -6.0, -50.0, -200.0})
         CHECK(saddlepoint_log10_tail(t, tail_quantile(t, log10_pf)) == doctest::Approx(log10_pf).epsilon(1e-8));
+}
+
+TEST_CASE("a quantile close to the largest value of few terms is found") {
+    for (std::size_t terms : {1, 2, 3, 4, 5, 8}) {
+        std::vector<double> c(200, 1e-6);
+        std::fill_n(c.begin(), terms, 1.0);
+        const LinearStatistic t(c, 0.1);
+        for (double log10_pf : {-1.0, -2.0, -4.0, -6.0}) {
+            const double quantile = tail_quantile(t, log10_pf);
+            CHECK(quantile > 0);
+            CHECK(quantile <= t.maximum());
+        }
+    }
 }
