@@ -14,12 +14,19 @@ constexpr std::size_t reference_points = 4000;    // of the template that is mad
 constexpr std::size_t reference_vertices = 40000; // that carry the difference
 constexpr double reach = 0.03;                    // farthest counterpart, in mean radii
 
+/// Whether the suspect lies around the frame at all. Seen from afar it would meet a few bumps of the sphere only.
+bool surrounds(const Frame& frame, const Frame& suspect) {
+    const double ratio = suspect.scale / frame.scale;
+    return (suspect.centroid - frame.centroid).norm() < 1.5 * frame.scale && ratio > 0.2 && ratio < 2;
+}
+
 } // namespace
 
 KnownPose pose_by_receipt(const resync::Receipt& receipt, const Suspect& suspect, bool align,
                           const Progress& progress) {
     KnownPose known;
-    known.poses.push_back({receipt.frame, "receipt, as it stands"});
+    if (surrounds(receipt.frame, canonical_frame(suspect.mesh)))
+        known.poses.push_back({receipt.frame, "receipt, as it stands"});
     if (!align)
         return known;
     known.registration = resync::register_template(receipt.in_file(), suspect.base, {}, progress);

@@ -172,13 +172,16 @@ double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
     };
     const double target = normal_quantile(log10_pf), sigma = statistic.sigma();
     double t = std::min(sigma * target, 0.999 * statistic.maximum());
+    double low = target > 0 ? 0 : -statistic.maximum(), high = statistic.maximum();
     for (int step = 0; step < 100; ++step) {
         const double log10_p = saddlepoint_log10_tail(statistic, t);
-        if (std::abs(log10_p - log10_pf) < 1e-9 || log10_p < -300)
+        if (std::abs(log10_p - log10_pf) < 1e-9 || high - low < 1e-12 * high)
             break;
-        const double next = std::min(t + sigma * (target - normal_quantile(log10_p)), 0.5 * (t + statistic.maximum()));
-        // Near the largest value a statistic of few terms can take, a step may lead far beyond the mean.
-        t = target > 0 ? std::max(next, 0.5 * t) : next;
+        (log10_p > log10_pf ? low : high) = t;
+        // A normal quantile exists inside (0, 1) only; a step that leaves what is known is halved instead.
+        const bool ordinary = log10_p > -300 && log10_p < -1e-9;
+        const double next = ordinary ? t + sigma * (target - normal_quantile(log10_p)) : high;
+        t = next > low && next < high ? next : 0.5 * (low + high);
     }
     return t;
 }

@@ -102,6 +102,9 @@ TEST_CASE("a quantile close to the largest value of few terms is found") {
             const double quantile = tail_quantile(t, log10_pf);
             CHECK(quantile > 0);
             CHECK(quantile <= t.maximum());
+            const double reached = saddlepoint_log10_tail(t, quantile); // flat to rounding next to the maximum
+            CHECK(reached < log10_pf + 1e-6);
+            CHECK(reached > log10_pf - 0.1);
         }
     }
 }
