@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <numeric>
 
+#include <Eigen/Dense>
+
 #include <wm3d/detect/surface_filter.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/parallel.hpp>
@@ -97,6 +99,36 @@ Field weigh_band(const Bands& bands, std::size_t k, const Field& e, std::span<co
     return bands.pass(k, weighed);
 }
 
+/// n . (x - low pass of x) at each time: what smoothing or coarsening of the reference itself would look like.
+Eigen::MatrixXd smoothing_patterns(const TriangleMesh& mesh, std::span<const Vec3> normals, const Bands& bands) {
+    std::vector<Field> x(3, Field(mesh.positions.size()));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            x[axis][i] = mesh.positions[i][static_cast<Eigen::Index>(axis)];
+    const auto rows = static_cast<Eigen::Index>(mesh.positions.size());
+    Eigen::MatrixXd patterns(rows, static_cast<Eigen::Index>(bands.times.size()));
+    parallel_blocks(bands.times.size(), 1, [&](std::size_t k, std::size_t) {
+        const std::vector<Field> low = bands.surface.low_pass(bands.times[k], x);
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+            patterns(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(k)) =
+                normals[i].dot(mesh.positions[i] - Vec3(low[0][i], low[1][i], low[2][i]));
+    });
+    return patterns;
+}
+
+/// Takes out of e what is a combination of the patterns, where it is trusted, by least squares. A few numbers that the
+/// suspect and its reference determine; no key has a part in it.
+Field without_patterns(Field e, std::span<const double> trust, const Eigen::MatrixXd& patterns) {
+    const auto n = static_cast<Eigen::Index>(e.size());
+    const Eigen::Map<const Eigen::VectorXd> weight(trust.data(), n);
+    Eigen::Map<Eigen::VectorXd> difference(e.data(), n);
+    const Eigen::MatrixXd normal = patterns.transpose() * weight.asDiagonal() * patterns;
+    const Eigen::VectorXd share =
+        normal.completeOrthogonalDecomposition().solve(patterns.transpose() * weight.cwiseProduct(difference));
+    difference -= weight.cwiseProduct(patterns * share);
+    return e;
+}
+
 } // namespace
 
 ReferenceEvidence::ReferenceEvidence(const TriangleMesh& reference, std::span<const double> difference,
@@ -104,11 +136,12 @@ ReferenceEvidence::ReferenceEvidence(const TriangleMesh& reference, std::span<co
     : weighed_(reference.positions.size(), 0.0) {
     const SurfaceFilter surface(reference);
     const Bands bands{surface, options.times};
-    Field e(difference.begin(), difference.end());
+    const std::vector<Vec3> normals = vertex_normals(reference);
+    const Field e = without_patterns(Field(difference.begin(), difference.end()), trust,
+                                     smoothing_patterns(reference, normals, bands));
     std::vector<Field> of_band(bands.count());
     parallel_blocks(of_band.size(), 1,
                     [&](std::size_t k, std::size_t) { of_band[k] = weigh_band(bands, k, e, trust, options); });
-    const std::vector<Vec3> normals = vertex_normals(reference);
     const std::span<const double> area = surface.mass();
     for (std::size_t i = 0; i < weighed_.size(); ++i) {
         double sum = 0;

@@ -16,10 +16,11 @@ struct ReferenceOptions {
     /// smoothing and simplification in the last; the mark in all.
     std::vector<double> times{3e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2};
     double variance_spread = 10; ///< the local variance of a band is averaged over its own time, times this
-    double variance_floor = 0.1; ///< added to the local variance, as part of its median
+    double variance_floor = 1;   ///< added to the local variance, as part of its median
 };
 
-/// The difference of a suspect from its reference as evidence. No host is left in it, so low frequencies count too.
+/// The difference of a suspect from its reference as evidence. No host is left in it, so low frequencies count too; what
+/// smoothing or coarsening of the reference itself would look like is taken out by least squares.
 class ReferenceEvidence {
 public:
     /// \param reference   in the canonical frame of the mark
