@@ -94,14 +94,15 @@ void Examination::make_family() {
         std::ranges::move(hypotheses, std::back_inserter(family_));
 }
 
-double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose) const {
+double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,
+                                    std::optional<std::size_t> filter) const {
     const double move = strength / 100 * diagonal_ / view(pose).frame.scale;
     const detect::Evidence& seen = evidence(pose);
     const sphere::SparseRows weights = rows(pose, level);
     const std::span<const double> w = sequences(level);
-    std::vector<double> sigmas(seen.filters());
-    parallel_blocks(sigmas.size(), 1, [&](std::size_t f, std::size_t) {
-        sigmas[f] = seen.expected_sigmas(f, weights, w, options_.rmax, move);
+    std::vector<double> sigmas(filter ? 1 : seen.filters());
+    parallel_blocks(sigmas.size(), 1, [&](std::size_t k, std::size_t) {
+        sigmas[k] = seen.expected_sigmas(filter.value_or(k), weights, w, options_.rmax, move);
     });
     return *std::ranges::max_element(sigmas);
 }

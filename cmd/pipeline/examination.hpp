@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -66,8 +67,9 @@ public:
     std::span<const detect::Hypothesis> family() const { return family_; }
 
     /// Expected score, in standard deviations, of the best filter for a mark of this level whose area-weighted RMS
-    /// normal move is `strength` % of the bounding box's diagonal.
-    double expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0) const;
+    /// normal move is `strength` % of the bounding box's diagonal; with `filter`, in that filter alone.
+    double expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0,
+                           std::optional<std::size_t> filter = {}) const;
 
     /// gamma of eq. (3) that moves this base mesh by `strength` with the mark of this level.
     double gamma(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0) const;

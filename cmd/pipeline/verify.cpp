@@ -51,8 +51,12 @@ PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned 
 
 void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key, Sequences& sequences,
                      const VerifyOptions& options) {
-    report.expected_sigmas =
-        suspect.expected_sigmas(sequences, default_level(key.parameters()), key.parameters().reference_strength);
+    // Where the mark is found, the power only illustrates: the filter that found it is enough.
+    std::optional<std::size_t> filter;
+    if (report.score.log10_p <= std::log10(options.pf) && report.score.best.hypothesis < suspect.family().size())
+        filter = suspect.family()[report.score.best.hypothesis].filter;
+    report.expected_sigmas = suspect.expected_sigmas(sequences, default_level(key.parameters()),
+                                                     key.parameters().reference_strength, 0, filter);
     report.predicted_miss =
         detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);
     report.verdict = detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::detect {
 
@@ -59,13 +60,16 @@ Evidence::Evidence(const TriangleMesh& base, EvidenceOptions options)
         visibility_[i] = normals[i].dot(base.positions[i].normalized());
     const std::vector<std::vector<double>> x = coordinates(base);
     const std::span<const double> area = surface_.mass();
-    for (const Filter& filter : options_.filters) {
+    weights_.resize(filters());
+    weighed_.resize(filters());
+    parallel_blocks(filters(), 1, [&](std::size_t f, std::size_t) {
+        const Filter& filter = options_.filters[f];
         const std::vector<double> e = normal_residual(base, normals, surface_.low_pass(filter.t, x));
-        weights_.push_back(residual_weights(surface_, e, filter, options_.variance_floor));
+        weights_[f] = residual_weights(surface_, e, filter, options_.variance_floor);
         for (std::size_t i = 0; i < e.size(); ++i)
-            weights_.back()[i] *= area[i];
-        weighed_.push_back(weigh(weighed_.size(), e));
-    }
+            weights_[f][i] *= area[i];
+        weighed_[f] = weigh(f, e);
+    });
 }
 
 LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {

@@ -134,7 +134,7 @@ Tail exact_tail(const LinearStatistic& statistic, double t) {
     const double s = std::max(t > 0 ? saddlepoint(statistic, t) : 0.0, 1 / sigma);
     const Cumulants k = cumulants(statistic, s);
     // The step resolves the integrand's width at the saddlepoint and the distance to the pole.
-    const double h = std::min(0.25 / std::sqrt(k.k2), s / 8);
+    const double h = std::min(0.4 / std::sqrt(k.k2), s / 8);
     const Integral integral = bromwich(ShiftedCharacteristic(statistic, s), s, t, h);
     if (!(integral.relative_error < 1e-6))
         return {chernoff_log10_bound(statistic, t), integral.relative_error, true};

