@@ -2,6 +2,7 @@
 #include <wm3d/mesh/parallel.hpp>
 
 #include <algorithm>
+#include <atomic>
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
@@ -36,6 +37,13 @@ void parallel_blocks(std::size_t count, std::size_t block,
     const std::size_t blocks = (count + block - 1) / block;
     tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
         body(b * block, std::min(count, (b + 1) * block));
+    });
+}
+
+void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& body) {
+    std::atomic<std::size_t> next{0};
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {
+        tbb::this_task_arena::isolate([&] { body(next++); });
     });
 }
 

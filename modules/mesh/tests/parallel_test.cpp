@@ -45,6 +45,33 @@ TEST_CASE("an exception in a block reaches the caller") {
                     std::runtime_error);
 }
 
+TEST_CASE("a task with a loop of its own never starts inside another") {
+    std::vector<int> visits(50, 0);
+    std::atomic<int> nested = 0;
+    static thread_local bool inside = false;
+    parallel_tasks(visits.size(), [&](std::size_t i) {
+        nested += inside;
+        inside = true;
+        parallel_blocks(64, 1, [&](std::size_t, std::size_t) {
+            volatile double x = 0;
+            for (int k = 0; k < 2000; ++k)
+                x = x + k;
+        });
+        inside = false;
+        ++visits[i];
+    });
+    CHECK(visits == std::vector<int>(50, 1));
+    CHECK(nested == 0);
+}
+
+TEST_CASE("an exception in a task reaches the caller") {
+    CHECK_THROWS_AS(parallel_tasks(10, [](std::size_t i) {
+                        if (i == 5)
+                            throw std::runtime_error("task 5");
+                    }),
+                    std::runtime_error);
+}
+
 TEST_CASE("both tasks run") {
     std::atomic<int> done = 0;
     parallel_invoke([&] { done += 1; }, [&] { done += 2; });
