@@ -11,6 +11,7 @@
 #include <wm3d/attack/resampling.hpp>
 #include <wm3d/attack/smoothing.hpp>
 #include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::attack {
 
@@ -48,6 +49,13 @@ TriangleMesh run_shear(Mesh mesh, Values v, Seed) {
     Mat3 matrix;
     matrix << 1, v[0], v[1], 0, 1, v[2], 0, 0, 1;
     return transform(mesh, matrix);
+}
+
+TriangleMesh run_rounding(Mesh mesh, Values v, Seed) {
+    const Box box = surface_box(mesh);
+    const double side = (box.max - box.min).maxCoeff();
+    const bool scales = v[1] > 0 && side > 0;
+    return round_decimals(scales ? transform(mesh, Mat3(v[1] / side * Mat3::Identity())) : mesh, whole(v[0]));
 }
 
 /// The attacks of the published benchmark, as it defines them.
@@ -155,8 +163,9 @@ std::vector<RegistryEntry> further() {
         {{"rounding",
           "round",
           "coordinates rounded to decimals, as text formats do",
-          {count("decimals", "digits after the point", 3, -6, 15)}},
-         [](Mesh m, Values v, Seed) { return round_decimals(m, whole(v[0])); }},
+          {count("decimals", "digits after the point", 3, -6, 15),
+           real("size", "longest side of the box that the model is scaled to before; 0: as it is", 0, 0, 1e9)}},
+         run_rounding},
     };
 }
 

@@ -114,3 +114,12 @@ TEST_CASE("reordering keeps every triangle and its orientation") {
     CHECK_FALSE(same(shuffled, mesh));
     CHECK(corners(shuffled) == corners(mesh));
 }
+
+TEST_CASE("rounding at a size scales the longest side to it first") {
+    const TriangleMesh mesh = shapes::torus(3, 1, 30, 20);
+    const TriangleMesh rounded = apply(mesh, parse("rounding:0,size=100"), 1);
+    const Box box = bounding_box(rounded.positions);
+    CHECK((box.max - box.min).maxCoeff() == doctest::Approx(100).epsilon(0.011)); // both ends are rounded
+    for (const Vec3& p : rounded.positions)
+        CHECK(p == Vec3(p.array().round()));
+}
