@@ -6,6 +6,7 @@
 
 #include "command_analyze.hpp"
 #include "command_attack.hpp"
+#include "command_bench.hpp"
 #include "command_compare.hpp"
 #include "command_info.hpp"
 #include "command_keygen.hpp"
@@ -31,6 +32,9 @@ constexpr std::array table{
 #endif
 #ifdef WM3D_WITH_METRICS
     Command{"compare", "Robustness", "tell how far apart two meshes are", declare_compare},
+#endif
+#ifdef WM3D_WITH_BENCH
+    Command{"bench", "Robustness", "tell what marks survive, over models and attacks", declare_bench},
 #endif
     Command{"resync", "Parts of the method", "lay a moved or cut mesh back on its model", declare_resync},
     Command{"simplify", "Parts of the method", "simplify a mesh to a number of vertices", declare_simplify},

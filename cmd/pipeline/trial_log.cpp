@@ -2,10 +2,6 @@
 #include "pipeline/trial_log.hpp"
 
 #include <bit>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -67,52 +63,24 @@ std::string mesh_fingerprint(const TriangleMesh& mesh) {
     return fmt::format("{:016x}", hash.value());
 }
 
-TrialLog::TrialLog(const std::string& path, const std::string& fingerprint) : path_(path) {
-    std::error_code ignored;
-    const bool is_new =
-        !std::filesystem::exists(path, ignored) || std::filesystem::file_size(path, ignored) == 0;
-    if (!is_new)
-        read(fingerprint);
-    file_.reset(std::fopen(path.c_str(), "ab"));
-    if (!file_)
-        throw OutputError(fmt::format("{}: the file can't be written: {}", path, std::strerror(errno)));
-    if (is_new)
-        write_line(ordered_json{{"schema", schema}, {"mesh", fingerprint}}.dump());
+TrialLog::TrialLog(const std::string& path, const std::string& fingerprint)
+    : lines_(path, "trial", [&](const ordered_json& line, std::size_t number) { read(line, number, path, fingerprint); }) {
+    if (lines_.was_empty())
+        lines_.append({{"schema", schema}, {"mesh", fingerprint}});
 }
 
-void TrialLog::read(const std::string& fingerprint) {
-    std::ifstream in(path_, std::ios::binary);
-    std::string line;
-    std::uintmax_t whole = 0; // bytes of the lines that are complete
-    for (std::size_t number = 1; std::getline(in, line) && !in.eof(); ++number) {
-        whole += line.size() + 1;
-        const ordered_json json = ordered_json::parse(line, nullptr, false);
-        try {
-            if (number > 1) {
-                const Trial trial = trial_of(json);
-                trials_[json.at("setting").get<std::string>()][trial.number] = trial;
-            } else if (json.at("schema") != schema || json.at("mesh") != fingerprint) {
-                throw InputError(fmt::format(
-                    "{}: these trials belong to another mesh or version; name a new file", path_));
-            }
-        } catch (const ordered_json::exception&) {
-            throw InputError(
-                fmt::format("{}: line {} is no trial; remove the line, or name a new file", path_, number));
-        }
+void TrialLog::read(const ordered_json& line, std::size_t number, const std::string& path,
+                    const std::string& fingerprint) {
+    if (number > 1) {
+        const Trial trial = trial_of(line);
+        trials_[line.at("setting").get<std::string>()][trial.number] = trial;
+    } else if (line.at("schema") != schema || line.at("mesh") != fingerprint) {
+        throw InputError(fmt::format("{}: these trials belong to another mesh or version; name a new file", path));
     }
-    in.close();
-    if (std::filesystem::file_size(path_) != whole)
-        std::filesystem::resize_file(path_, whole);
 }
 
 void TrialLog::append(const std::string& setting, const Trial& trial) {
-    write_line(to_json(setting, trial).dump());
-}
-
-void TrialLog::write_line(const std::string& line) {
-    const std::string text = line + '\n';
-    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0)
-        throw OutputError(fmt::format("{}: the file can't be written: {}", path_, std::strerror(errno)));
+    lines_.append(to_json(setting, trial));
 }
 
 } // namespace wm3d::pipeline

@@ -2,11 +2,10 @@
 /// \file  Trials on disk, one line of JSON each, so that long work can be stopped and resumed.
 #pragma once
 
-#include <cstdio>
 #include <map>
-#include <memory>
 #include <string>
 
+#include "pipeline/json_lines.hpp"
 #include "pipeline/trials.hpp"
 
 namespace wm3d::pipeline {
@@ -30,15 +29,11 @@ public:
     void append(const std::string& setting, const Trial& trial);
 
 private:
-    void read(const std::string& fingerprint);
-    void write_line(const std::string& line);
+    void read(const nlohmann::ordered_json& line, std::size_t number, const std::string& path,
+              const std::string& fingerprint);
 
-    struct Closer {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    std::string path_;
-    std::map<std::string, std::map<std::size_t, Trial>> trials_;
-    std::unique_ptr<std::FILE, Closer> file_;
+    std::map<std::string, std::map<std::size_t, Trial>> trials_; // filled while `lines_` is made
+    JsonLines lines_;
 };
 
 } // namespace wm3d::pipeline

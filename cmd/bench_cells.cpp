@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <boost/math/distributions/binomial.hpp>
+
+#include "pipeline/null_keys.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+using namespace pipeline;
+
+/// Where an attack stands in the tables: that of the default list, or behind it, similar ones side by side.
+struct Rank {
+    std::size_t listed;
+    std::string name;
+    std::vector<double> values;
+
+    auto operator<=>(const Rank&) const = default;
+};
+
+Rank rank_of(const std::string& attack, const std::vector<std::string>& listed) {
+    const auto at = static_cast<std::size_t>(std::ranges::find(listed, attack) - listed.begin());
+    const AttackChain chain = attack::parse_chain(attack);
+    Rank rank{at, "", chain.front().values};
+    for (const attack::AttackSpec& spec : chain)
+        rank.name += spec.name + '+';
+    return rank;
+}
+
+void add(BenchCell& cell, std::size_t key, double log10_p, double log10_target) {
+    if (cell.keys++ == 0 || !(log10_p <= cell.worst_log10_p)) {
+        cell.worst_log10_p = log10_p;
+        cell.worst_key = key;
+    }
+    cell.missed += !(log10_p <= log10_target);
+}
+
+void fill_cells(BenchTable& table, const BenchResults& results) {
+    const std::vector<BenchCell> row(table.models.size());
+    table.cells.assign(table.attacks.size(), row);
+    table.assisted = table.cells;
+    bool any_assisted = false;
+    for (const auto& [name, item] : results.items) {
+        if (name.mark.size != table.size)
+            continue;
+        const auto a = static_cast<std::size_t>(std::ranges::find(table.attacks, name.attack) - table.attacks.begin());
+        const auto m =
+            static_cast<std::size_t>(std::ranges::find(table.models, name.mark.model) - table.models.begin());
+        if (a == table.attacks.size() || m == table.models.size())
+            continue;
+        if (!item.error.empty()) {
+            table.cells[a][m].error = item.error;
+            continue;
+        }
+        add(table.cells[a][m], name.mark.key, item.log10_p, table.log10_target);
+        if (item.assisted) {
+            any_assisted = true;
+            BenchCell& cell = table.assisted[a][m];
+            add(cell, name.mark.key, item.assisted->log10_p, table.log10_target);
+            cell.assisted_aligned = cell.assisted_aligned && item.assisted->aligned;
+        }
+    }
+    if (!any_assisted)
+        table.assisted.clear();
+}
+
+BenchMarkRow mark_row(const BenchResults& results, const std::string& model, const MarkSize& size) {
+    BenchMarkRow row;
+    row.model = model;
+    row.vertices = results.models.at(model).vertices;
+    for (const auto& [name, mark] : results.marks) {
+        if (name.model != model || name.size != size || !mark.error.empty())
+            continue;
+        ++row.keys;
+        row.mean_strength += mark.strength;
+        row.mean_mrms += mark.mrms;
+        row.mean_msdm2 += mark.msdm2;
+        row.largest_mrms = std::max(row.largest_mrms, mark.mrms);
+        row.largest_msdm2 = std::max(row.largest_msdm2, mark.msdm2);
+    }
+    for (double* mean : {&row.mean_strength, &row.mean_mrms, &row.mean_msdm2})
+        *mean /= static_cast<double>(std::max<std::size_t>(row.keys, 1));
+    return row;
+}
+
+std::size_t count_at_most(const std::vector<double>& log10_p, double pf) {
+    const double bound = std::log10(pf);
+    return static_cast<std::size_t>(std::ranges::count_if(log10_p, [&](double x) { return x <= bound; }));
+}
+
+/// P(X >= count) for X binomial.
+double upper_tail(std::size_t count, std::size_t trials, double p) {
+    if (count == 0)
+        return 1;
+    const boost::math::binomial_distribution<> law(static_cast<double>(trials), p);
+    return cdf(complement(law, static_cast<double>(count - 1)));
+}
+
+double lower_tail(std::size_t count, std::size_t trials, double p) {
+    return cdf(boost::math::binomial_distribution<>(static_cast<double>(trials), p), static_cast<double>(count));
+}
+
+} // namespace
+
+std::size_t BenchTable::filled() const {
+    std::size_t count = 0;
+    for (const auto& row : cells)
+        count += static_cast<std::size_t>(std::ranges::count_if(row, [](const BenchCell& c) { return c.keys > 0; }));
+    return count;
+}
+
+std::size_t BenchTable::missed() const {
+    std::size_t count = 0;
+    for (const auto& row : cells)
+        count += static_cast<std::size_t>(std::ranges::count_if(row, [](const BenchCell& c) { return c.missed > 0; }));
+    return count;
+}
+
+std::vector<std::string> bench_attacks(const BenchResults& results) {
+    std::vector<std::string> listed;
+    for (const AttackChain& chain : default_attacks())
+        listed.push_back(attack::to_string(chain));
+    std::set<std::string> names;
+    for (const auto& [name, item] : results.items)
+        names.insert(name.attack);
+    std::vector<std::string> attacks(names.begin(), names.end());
+    std::ranges::sort(attacks, {}, [&](const std::string& attack) { return rank_of(attack, listed); });
+    return attacks;
+}
+
+BenchTable bench_table(const BenchResults& results, const MarkSize& size, double log10_target) {
+    BenchTable table;
+    table.size = size;
+    table.log10_target = log10_target;
+    table.attacks = bench_attacks(results);
+    for (const auto& [name, model] : results.models) {
+        BenchMarkRow row = mark_row(results, name, size);
+        if (row.keys == 0)
+            continue;
+        table.models.push_back(name);
+        table.marks.push_back(std::move(row));
+    }
+    fill_cells(table, results);
+    return table;
+}
+
+WrongKeys count_wrong_keys(const BenchResults& results) {
+    std::vector<double> family, one;
+    for (const auto& [name, item] : results.items) {
+        family.insert(family.end(), item.wrong.begin(), item.wrong.end());
+        one.insert(one.end(), item.wrong_one.begin(), item.wrong_one.end());
+    }
+    WrongKeys result;
+    result.keys = family.size();
+    if (family.empty())
+        return result;
+    for (double pf : {0.1, 0.01, 0.001}) {
+        WrongKeyCount count;
+        count.pf = pf;
+        count.family = count_at_most(family, pf);
+        count.family_excess = upper_tail(count.family, family.size(), pf);
+        count.one = count_at_most(one, pf);
+        count.one_strays =
+            std::min(1.0, 2 * std::min(upper_tail(count.one, one.size(), pf), lower_tail(count.one, one.size(), pf)));
+        result.counts.push_back(count);
+    }
+    result.smallest_log10_p = *std::ranges::min_element(family);
+    for (double& x : one)
+        x = std::pow(10, x);
+    result.uniformity = uniformity(std::move(one));
+    return result;
+}
+
+} // namespace wm3d::cmd

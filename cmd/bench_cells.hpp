@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Results of a bench gathered into tables of attacks x models, the worst of all keys in each cell.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/bench.hpp"
+
+namespace wm3d::cmd {
+
+/// What all keys of one attack on one model have in common.
+struct BenchCell {
+    std::size_t keys = 0;       ///< that were examined
+    std::size_t missed = 0;     ///< of them, with p above the target
+    double worst_log10_p = 0;   ///< largest over the keys
+    std::size_t worst_key = 0;  ///< which has it
+    std::string error;          ///< why there is no copy to examine; else empty
+    bool assisted_aligned = true; ///< with the original: every copy could be laid on it
+};
+
+/// How large the marks of one model became, over its keys.
+struct BenchMarkRow {
+    std::string model;
+    std::size_t vertices = 0;
+    std::size_t keys = 0;
+    double mean_strength = 0, mean_mrms = 0, largest_mrms = 0, mean_msdm2 = 0, largest_msdm2 = 0;
+};
+
+/// All marks of one size.
+struct BenchTable {
+    pipeline::MarkSize size;
+    double log10_target = -9;               ///< p that is to be reached
+    std::vector<std::string> models;        ///< files, in the order of their names
+    std::vector<std::string> attacks;       ///< in the order of the published benchmark, others behind it
+    std::vector<std::vector<BenchCell>> cells;    ///< #attacks by #models
+    std::vector<std::vector<BenchCell>> assisted; ///< the same with the original at hand; empty if not asked for
+    std::vector<BenchMarkRow> marks;
+
+    std::size_t filled() const; ///< cells with at least one key
+    std::size_t missed() const; ///< of them, those with a miss
+};
+
+/// How often wrong keys scored at least as well as a probability says, on all attacked copies together.
+struct WrongKeyCount {
+    double pf = 0;
+    std::size_t family = 0;    ///< keys whose family-wise p is at most pf
+    double family_excess = 1;  ///< probability of so many or more if each had probability pf
+    std::size_t one = 0;       ///< keys whose p in one hypothesis is at most pf
+    double one_strays = 1;     ///< two-sided probability of a number so far from the expected
+};
+
+struct WrongKeys {
+    std::size_t keys = 0;
+    std::vector<WrongKeyCount> counts; ///< at 0.1, 0.01, 0.001
+    double smallest_log10_p = 0;       ///< family-wise
+    double uniformity = 1; ///< Kolmogorov-Smirnov: how likely uniform p stray as far as those in one hypothesis
+};
+
+/// Attacks of all items, each once.
+std::vector<std::string> bench_attacks(const pipeline::BenchResults& results);
+
+BenchTable bench_table(const pipeline::BenchResults& results, const pipeline::MarkSize& size, double log10_target);
+
+WrongKeys count_wrong_keys(const pipeline::BenchResults& results);
+
+} // namespace wm3d::cmd

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  A bench's results as people and programs read them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench_cells.hpp"
+
+namespace wm3d::cmd {
+
+struct BenchSummary {
+    std::vector<BenchTable> tables; ///< one for each size of marks
+    WrongKeys wrong;
+    std::vector<std::string> unusable; ///< "FILE: why", of models that could not be read or marked
+    std::string command;               ///< that makes these results again
+    std::string version;
+    std::uint64_t seed = 1;
+    std::size_t keys = 0; ///< of the model that has most
+    std::string heat_map; ///< file of the picture, beside the summary; empty: none
+};
+
+BenchSummary summarize(const pipeline::BenchResults& results, const pipeline::BenchSetting& setting,
+                       const std::vector<double>& log10_targets);
+
+/// As GitHub reads it.
+std::string bench_markdown(const BenchSummary& summary);
+
+/// A line for every item.
+std::string bench_csv(const pipeline::BenchResults& results);
+
+/// "MRMS up to 0.02 %" or "strength 0.019 %".
+std::string size_text(const pipeline::MarkSize& size);
+
+} // namespace wm3d::cmd

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_bench.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/resync/registration.hpp>
+
+#include "bench_summary.hpp"
+#include "pipeline/bench_log.hpp"
+#include "pipeline/damage.hpp"
+#include "pipeline/trial_log.hpp"
+#include "support/mesh_files.hpp"
+#include "support/number_list.hpp"
+#include "support/usage.hpp"
+
+namespace wm3d::cmd {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct BenchArguments {
+    std::vector<std::string> models;
+    std::string out;
+    std::string strengths, mrms, attacks;
+    std::string pf = "1e-9";
+    pipeline::BenchSetting setting;
+};
+
+// What is asked for
+
+std::vector<pipeline::MarkSize> sizes_of(const BenchArguments& arguments) {
+    using Unit = pipeline::MarkSize::Unit;
+    const bool limited = !arguments.mrms.empty();
+    const std::string text = limited ? arguments.mrms : arguments.strengths;
+    std::vector<pipeline::MarkSize> sizes;
+    for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02")))
+        sizes.push_back({limited ? Unit::mrms : Unit::strength, value});
+    return sizes;
+}
+
+/// One for each size; one probability goes for all of them.
+std::vector<double> log10_targets_of(const BenchArguments& arguments, std::size_t sizes) {
+    std::vector<double> targets;
+    for (double pf : parse_numbers(arguments.pf, "--pf", probabilities()))
+        targets.push_back(std::log10(pf));
+    if (targets.size() == 1)
+        targets.resize(sizes, targets.front());
+    if (targets.size() != sizes)
+        throw ParameterError(fmt::format("--pf: there are {} probabilities for {} sizes of marks; give one, or one for "
+                                         "each size",
+                                         targets.size(), sizes));
+    return targets;
+}
+
+std::vector<pipeline::AttackChain> attacks_of(const BenchArguments& arguments) {
+    if (arguments.attacks.empty())
+        return pipeline::default_attacks();
+    std::vector<pipeline::AttackChain> chains;
+    for (const pipeline::NamedDamage& damage : pipeline::parse_damages(arguments.attacks))
+        chains.push_back(attack::parse_chain(damage.name));
+    for (const pipeline::AttackChain& chain : chains)
+        for (const attack::AttackSpec& spec : chain)
+            if (!std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)->available)
+                throw ParameterError(fmt::format("--attacks: this build has no attack {}, which needs OpenVDB; leave "
+                                                 "it out, or build with it",
+                                                 spec.name));
+    return chains;
+}
+
+/// Everything that the results depend on, besides models, keys and attacks, of which more may be added.
+ordered_json settings_of(const pipeline::BenchSetting& setting) {
+    ordered_json sizes = ordered_json::array();
+    for (const pipeline::MarkSize& size : setting.sizes)
+        sizes.push_back(pipeline::to_string(size));
+    return {{"version", WM3D_VERSION},
+            {"seed", setting.seed},
+            {"sizes", sizes},
+            {"wrong_keys", setting.wrong_keys},
+            {"reference", setting.assisted},
+            {"vertices", setting.vertices},
+            {"levels", setting.parameters.levels},
+            {"rmax", setting.parameters.rmax}};
+}
+
+// Files
+
+/// Mesh files of a folder, by their names' endings.
+std::vector<fs::path> files_of(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file() && io::format_of_name(entry.path().string()))
+            files.push_back(entry.path());
+    return files;
+}
+
+/// The models in the order of their names, which tell them apart.
+std::vector<fs::path> models_of(const BenchArguments& arguments) {
+    std::vector<fs::path> files;
+    for (const std::string& name : arguments.models) {
+        std::error_code ignored;
+        if (fs::is_directory(name, ignored)) {
+            const std::vector<fs::path> found = files_of(name);
+            if (found.empty())
+                throw InputError(fmt::format("{}: there is no mesh in this folder; its files would end in .obj, .ply, "
+                                             ".stl, .off, .gltf or .glb",
+                                             name));
+            files.insert(files.end(), found.begin(), found.end());
+        } else if (fs::exists(name, ignored)) {
+            files.emplace_back(name);
+        } else {
+            throw InputError(fmt::format("{}: there is no such file or folder; name one with meshes", name));
+        }
+    }
+    std::ranges::sort(files, {}, [](const fs::path& path) { return path.filename(); });
+    const auto twice =
+        std::ranges::adjacent_find(files, {}, [](const fs::path& path) { return path.filename(); });
+    if (twice != files.end())
+        throw InputError(fmt::format("{} and {} have the same name, so their results could not be told apart; rename "
+                                     "one",
+                                     twice->string(), std::next(twice)->string()));
+    return files;
+}
+
+void make_folder(const std::string& out) {
+    std::error_code error;
+    if (fs::exists(out, error) && !fs::is_directory(out, error))
+        throw OutputError(fmt::format("{}: this is a file; name a folder", out));
+    fs::create_directories(out, error);
+    if (error)
+        throw OutputError(fmt::format("{}: the folder can't be made: {}", out, error.message()));
+}
+
+void write_result(const BenchArguments& arguments, const char* name, const std::string& bytes) {
+    io::write_file((fs::path(arguments.out) / name).string(), bytes, {.overwrite = true});
+}
+
+// The run
+
+/// Tells how many items are done and how long the others will take.
+class Countdown {
+public:
+    Countdown(std::size_t items, Progress progress)
+        : left_(items), progress_(std::move(progress)), begin_(std::chrono::steady_clock::now()) {}
+
+    void tick() {
+        --left_;
+        ++done_;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
+        const double seconds = spent.count() / static_cast<double>(done_) * static_cast<double>(left_);
+        report(progress_, fmt::format("{} of {} items, {} left", done_, done_ + left_, duration_text(seconds)),
+               static_cast<double>(done_) / static_cast<double>(done_ + left_));
+    }
+
+    void skip(std::size_t items) { left_ -= items; }
+
+private:
+    static std::string duration_text(double seconds) {
+        if (seconds < 90)
+            return fmt::format("{:.0f} s", seconds);
+        return seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+    }
+
+    std::size_t left_, done_ = 0;
+    Progress progress_;
+    std::chrono::steady_clock::time_point begin_;
+};
+
+/// One model from its file to its last item. \return whether it could be read
+bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipeline::BenchLog& log,
+               Countdown& countdown, Output& output) {
+    const std::string name = path.filename().string();
+    const pipeline::BenchWork work = pipeline::missing_work(name, setting, log.results());
+    pipeline::BenchModel model;
+    try {
+        const io::Model file = read_mesh(path.string());
+        model = {pipeline::mesh_fingerprint(file.mesh()), file.mesh().positions.size(), file.mesh().triangles.size(), ""};
+        log.add(name, model);
+        pipeline::run_bench(file.mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
+        return true;
+    } catch (const OutputError&) {
+        throw;
+    } catch (const Error& error) {
+        if (log.results().models.contains(name) && log.results().models.at(name).fingerprint != model.fingerprint)
+            throw; // the log's own complaint
+        model.error = error.what();
+    }
+    output.warn(fmt::format("{}; the others go on", model.error));
+    log.add(name, model);
+    countdown.skip(work.items.size());
+    return !model.fingerprint.empty();
+}
+
+std::size_t items_left(const std::vector<fs::path>& models, const pipeline::BenchSetting& setting,
+                       const pipeline::BenchResults& done) {
+    std::size_t items = 0;
+    for (const fs::path& path : models)
+        items += pipeline::missing_work(path.filename().string(), setting, done).items.size();
+    return items;
+}
+
+std::string command_line(const BenchArguments& arguments) {
+    const bool limited = !arguments.mrms.empty();
+    std::string text = fmt::format("wm3d bench --models {} --out {} --{} {} --pf {} --keys {}",
+                                   fmt::join(arguments.models, " "), arguments.out, limited ? "mrms" : "strengths",
+                                   limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
+    if (!arguments.attacks.empty())
+        text += " --attacks " + arguments.attacks;
+    if (arguments.setting.assisted)
+        text += " --reference";
+    return text + fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
+}
+
+void deliver(const BenchArguments& arguments, const BenchSummary& summary, const pipeline::BenchResults& results,
+             Output& output) {
+    write_result(arguments, "summary.md", bench_markdown(summary));
+    write_result(arguments, "summary.csv", bench_csv(results));
+    ordered_json tables = ordered_json::array();
+    for (const BenchTable& table : summary.tables) {
+        output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n", size_text(table.size),
+                                 table.filled() - table.missed(), table.filled(), table.log10_target));
+        tables.push_back({{"size", pipeline::to_string(table.size)},
+                          {"log10_target", table.log10_target},
+                          {"cells", table.filled()},
+                          {"missed", table.missed()}});
+    }
+    output.say(fmt::format("Wrote the summary to {}.", (fs::path(arguments.out) / "summary.md").string()));
+    output.print_json({{"out", arguments.out},
+                       {"items", results.items.size()},
+                       {"tables", tables},
+                       {"not_examined", summary.unusable}});
+}
+
+int run(BenchArguments arguments, Output& output) {
+    pipeline::BenchSetting& setting = arguments.setting;
+    setting.sizes = sizes_of(arguments);
+    setting.attacks = attacks_of(arguments);
+    const std::vector<double> targets = log10_targets_of(arguments, setting.sizes.size());
+    if (setting.assisted && !resync::has_registration())
+        throw ParameterError("--reference: this build was made without Ceres and can't align; build it with "
+                             "-DWM3D_RESYNC=ON");
+    const std::vector<fs::path> models = models_of(arguments);
+    make_folder(arguments.out);
+    pipeline::BenchLog log((fs::path(arguments.out) / "items.jsonl").string(), settings_of(setting));
+    Countdown countdown(items_left(models, setting, log.results()), output.progress());
+    std::size_t readable = 0;
+    for (const fs::path& path : models)
+        readable += run_model(path, setting, log, countdown, output);
+    if (readable == 0)
+        throw InputError("none of the models can be read, so there is nothing to examine; name others");
+    BenchSummary summary = summarize(log.results(), setting, targets);
+    summary.command = command_line(arguments);
+    summary.version = WM3D_VERSION;
+    deliver(arguments, summary, log.results(), output);
+    return exit_done;
+}
+
+void add_options(CLI::App& app, BenchArguments& arguments) {
+    app.add_option("--models", arguments.models, "Folder of meshes, or mesh files")
+        ->option_text("PATH... (required)")
+        ->required();
+    app.add_option("--out", arguments.out, "Folder for results and summary; work that is there is not repeated")
+        ->option_text("DIR (required)")
+        ->required();
+    auto* strengths = app.add_option("--strengths", arguments.strengths,
+                                     "Strengths of the marks, as `mark --strength` [0.019,0.075]");
+    strengths->option_text("LIST");
+    app.add_option("--mrms", arguments.mrms, "Instead, the largest MRMS that marks may reach, % of the diagonal")
+        ->option_text("LIST")
+        ->excludes(strengths);
+    app.add_option("--keys", arguments.setting.keys, "Random keys, each marking every model [5]")
+        ->option_text("N")
+        ->check(whole_number_between(1, 1'000'000));
+    app.add_option("--attacks", arguments.attacks,
+                   "Attacks joined by commas, as `wm3d attack` names them [the published benchmark and more]")
+        ->option_text("LIST");
+    app.add_option("--pf", arguments.pf, "Probability that p is to reach: one, or one for each size of marks [1e-9]")
+        ->option_text("LIST");
+    app.add_option("--wrong-keys", arguments.setting.wrong_keys, "Wrong keys to try on every attacked copy [20]")
+        ->option_text("N")
+        ->check(whole_number_between(0, 1'000'000));
+    app.add_flag("--reference", arguments.setting.assisted, "Also examine with the unmarked original at hand");
+    app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");
+}
+
+} // namespace
+
+Action declare_bench(CLI::App& app) {
+    const auto arguments = std::make_shared<BenchArguments>();
+    arguments->strengths = "0.019,0.075";
+    app.description(
+        "Measures what marks survive: every model is marked with every key at every size, attacked in every\n"
+        "way, then moved, turned and scaled at random, and examined blind as verify does.\n"
+        "Leaves in --out the results (items.jsonl, a line each), a summary (summary.md, summary.csv) and a\n"
+        "heat map (summary.svg, summary.png; by gnuplot). Stopped work goes on with the same command line.");
+    add_options(app, *arguments);
+    app.footer("Examples:\n  wm3d bench --models scans --out results\n"
+               "  wm3d bench --models bunny.ply horse.ply --out results --mrms 0.02,0.08 --pf 1e-6,1e-9\n"
+               "  wm3d bench --models scans --out quick --keys 1 --attacks noise:0.3,smoothing:30,simplification:90");
+    return [arguments](Output& output) { return run(*arguments, output); };
+}
+
+} // namespace wm3d::cmd

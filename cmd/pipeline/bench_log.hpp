@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Results of a bench on disk, so that it can be stopped and resumed.
+#pragma once
+
+#include <mutex>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "pipeline/bench_results.hpp"
+#include "pipeline/json_lines.hpp"
+
+namespace wm3d::pipeline {
+
+/// A file of lines: the first holds the settings that all results depend on, every other a model, a mark or an
+/// item. Results may be added from several threads.
+class BenchLog {
+public:
+    /// Opens or creates the file.
+    /// \throw InputError   if it is damaged, no log of a bench, or holds results of other settings
+    /// \throw OutputError  if it can't be written
+    BenchLog(const std::string& path, const nlohmann::ordered_json& settings);
+
+    /// What is there. Not to be read while other threads add to it.
+    const BenchResults& results() const { return results_; }
+
+    /// \throw InputError   if the file holds results of another mesh under this name
+    /// \throw OutputError  as the other two
+    void add(const std::string& name, const BenchModel& model);
+    void add(const MarkName& name, const BenchMark& mark);
+    void add(const ItemName& name, const BenchItem& item);
+
+private:
+    void read(const nlohmann::ordered_json& line, std::size_t number, const nlohmann::ordered_json& header,
+              const std::string& path);
+
+    BenchResults results_; // filled while `lines_` is made
+    std::mutex guard_;
+    JsonLines lines_;
+};
+
+} // namespace wm3d::pipeline
