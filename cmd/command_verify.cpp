@@ -61,6 +61,33 @@ std::string power_of_ten(double log10_p) {
     return fmt::format("{:.1f}e{:.0f}", std::pow(10, log10_p - exponent), exponent);
 }
 
+/// Why a verdict is inconclusive, and what would help.
+std::string reason(const pipeline::VerifyReport& report) {
+    switch (report.doubt) {
+    case pipeline::Doubt::opening:
+        return fmt::format("it has an opening as large as {:.1f} % of its surface: if a part was cut off there, the "
+                           "rest alone doesn't tell where the mark lies; give --receipt or --reference, which do.",
+                           100 * report.largest_opening);
+    case pipeline::Doubt::alignment:
+        return "it could not be aligned with what was given, so the place where the mark would lie is not known.";
+    default:
+        return fmt::format("this mesh is too small, too plain or too damaged to say that the mark is absent: one of "
+                           "the usual strength would be missed with probability {:.2g}.",
+                           report.predicted_miss);
+    }
+}
+
+std::string_view name(pipeline::Doubt doubt) {
+    switch (doubt) {
+    case pipeline::Doubt::opening:
+        return "opening";
+    case pipeline::Doubt::alignment:
+        return "alignment";
+    default:
+        return "power";
+    }
+}
+
 std::string sentence(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
                      const std::string& key) {
     const std::string file = display_name(arguments.files.input);
@@ -84,11 +111,8 @@ std::string sentence(const VerifyArguments& arguments, const pipeline::VerifyRep
             "strength would be missed with probability {}.",
             file, key, p, pf, power_of_ten(std::log10(std::max(report.predicted_miss, 1e-300))));
     default:
-        return fmt::format(
-            "inconclusive: nothing of {} was found in {} (p = {}), but this mesh is too small, too plain or "
-            "too damaged to say that the mark is absent: one of the usual strength would be missed with "
-            "probability {:.2g}.",
-            key, file, p, report.predicted_miss);
+        return fmt::format("inconclusive: nothing of {} was found in {} (p = {}), but {}", key, file, p,
+                           reason(report));
     }
 }
 
@@ -153,11 +177,14 @@ ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyRep
                       {"sigmas", report.score.best.sigmas},
                       {"expected_sigmas", report.expected_sigmas},
                       {"predicted_miss", report.predicted_miss},
+                      {"largest_opening_percent", 100 * report.largest_opening},
                       {"base_vertices", report.base_vertices},
                       {"level", report.level},
                       {"pose", report.pose},
                       {"pose_origin", report.pose_origin},
                       {"paper", paper_json(report.paper)}};
+    if (report.doubt != pipeline::Doubt::none)
+        json["reason"] = name(report.doubt);
     if (report.filter)
         json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
     if (report.registration)

@@ -100,6 +100,32 @@ TEST_CASE("a copy that was cut and moved is found with the receipt and with the 
     CHECK(pipeline::verify(suspect, s.key, with_reference()).verdict == Verdict::present);
 }
 
+TEST_CASE("of a cut copy nothing is called absent but in a pose that can be trusted") {
+    const Specimen& s = specimen();
+    const TriangleMesh suspect = moved(cut(s.marked, 20, 3), 1.2, 2), clean = moved(cut(s.original, 20, 3), 1.2, 2);
+    const pipeline::VerifyReport blind = pipeline::verify(suspect, s.key, {});
+    CHECK(blind.verdict == Verdict::inconclusive);
+    CHECK(blind.doubt == pipeline::Doubt::opening);
+    CHECK(blind.largest_opening > pipeline::tolerated_opening);
+    CHECK(pipeline::verify(clean, s.key, {}).doubt == pipeline::Doubt::opening);
+    if (!resync::has_registration())
+        return;
+    CHECK(pipeline::verify(suspect, s.key, with_receipt()).verdict == Verdict::present);
+    const pipeline::VerifyReport assisted = pipeline::verify(clean, s.key, with_receipt());
+    CHECK(assisted.verdict == Verdict::absent);
+    CHECK(assisted.doubt == pipeline::Doubt::none);
+}
+
+TEST_CASE("holes as scans have them leave the verdict as it is") {
+    const Specimen& s = specimen();
+    TriangleMesh clean = s.original;
+    clean.triangles.resize(clean.triangles.size() - 40); // a hole of 0.2 % of the surface
+    const pipeline::VerifyReport report = pipeline::verify(clean, s.key, {});
+    CHECK(report.largest_opening > 0);
+    CHECK(report.verdict == Verdict::absent);
+    CHECK(pipeline::verify(s.original, s.key, {}).largest_opening == 0);
+}
+
 TEST_CASE("the original finds what simplification leaves of a mark") {
     if (!resync::has_registration())
         return;
@@ -133,6 +159,7 @@ TEST_CASE("with a reference of another object the alignment fails, and nothing i
     REQUIRE(report.registration);
     CHECK_FALSE(report.registration->aligned);
     CHECK(report.verdict == Verdict::inconclusive);
+    CHECK(report.doubt == pipeline::Doubt::alignment);
 }
 
 TEST_CASE("random keys stay below P_f on every path") {

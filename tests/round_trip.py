@@ -55,15 +55,18 @@ class RoundTrip(unittest.TestCase):
         self.assertEqual(report["verdict"], "present")
         self.assertLess(report["log10_p"], -6)
 
+    def check_no_mark(self, suspect, key):
+        status, report = self.verify(suspect, key)
+        if report["largest_opening_percent"] > 0.6:  # the helmet's neck might be a cut
+            self.assertEqual((status, report["verdict"], report["reason"]), (3, "inconclusive", "opening"))
+        else:
+            self.assertEqual((status, report["verdict"]), (1, "absent"), report)
+
     def test_the_original_holds_no_mark(self):
-        status, report = self.verify(self.mesh, "owner")
-        self.assertEqual(status, 1, report)
-        self.assertEqual(report["verdict"], "absent")
+        self.check_no_mark(self.mesh, "owner")
 
     def test_another_key_finds_no_mark(self):
-        status, report = self.verify(self.marked, "stranger")
-        self.assertEqual(status, 1, report)
-        self.assertEqual(report["verdict"], "absent")
+        self.check_no_mark(self.marked, "stranger")
 
     def test_only_coordinates_differ(self):
         positions, rest = mesh_bytes.split(self.mesh.name, self.mesh.read_bytes())

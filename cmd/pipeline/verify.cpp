@@ -9,6 +9,8 @@
 
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/topology.hpp>
 
 #include "pipeline/null_keys.hpp"
 
@@ -125,6 +127,25 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
     return result;
 }
 
+/// The widest border's area over the whole surface's.
+double largest_opening(const TriangleMesh& mesh) {
+    double largest = 0;
+    for (const BorderLoop& loop : border_loops(mesh))
+        largest = std::max(largest, loop.opening.norm());
+    return largest / surface_area(mesh);
+}
+
+/// What keeps a report whose verdict is not "present" from saying "absent".
+Doubt doubt(const VerifyReport& report) {
+    if (report.verdict == detect::Verdict::present)
+        return Doubt::none;
+    if (report.registration && !report.registration->aligned)
+        return Doubt::alignment;
+    if (report.verdict == detect::Verdict::inconclusive)
+        return Doubt::power;
+    return !report.registration && report.largest_opening > tolerated_opening ? Doubt::opening : Doubt::none;
+}
+
 void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
             const VerifyOptions& options) {
     const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
@@ -136,8 +157,9 @@ void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Se
             report.filter = all.suspect.evidence().filter(best.filter);
         decide_whitened(report, all.suspect, key, sequences, options);
     }
-    if (report.verdict == detect::Verdict::absent && all.registration && !all.registration->aligned)
-        report.verdict = detect::Verdict::inconclusive; // it was not looked at where it would lie
+    report.doubt = doubt(report);
+    if (report.doubt != Doubt::none)
+        report.verdict = detect::Verdict::inconclusive;
 }
 
 } // namespace
@@ -152,6 +174,7 @@ VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyO
     report.base_vertices = all.suspect.base_vertices();
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
+    report.largest_opening = largest_opening(mesh);
     report.score = detect::score_family(all.family, sequences.function());
     const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
     report.level = best.level;

@@ -42,8 +42,23 @@ struct NullReport {
     double p_uniformity = 1; ///< Kolmogorov-Smirnov: how likely the exact p of random keys stray as far from uniform
 };
 
+/// Why a verdict is inconclusive.
+enum class Doubt {
+    none,
+    power,     ///< a mark of the usual strength would likely be missed here
+    alignment, ///< a registration that was asked for failed: it was not looked at where the mark would lie
+    opening,   ///< a part may have been cut off, and nothing but the suspect itself told the pose
+};
+
+/// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing. Cuts by a
+/// plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the largest hole under
+/// the base of a scan such as the Stanford bunny has 0.5 %.
+inline constexpr double tolerated_opening = 0.006;
+
 struct VerifyReport {
     detect::Verdict verdict = detect::Verdict::inconclusive;
+    Doubt doubt = Doubt::none; ///< other than none just where the verdict is inconclusive
+    double largest_opening = 0; ///< area that would close the suspect's widest border, relative to its surface
     detect::FamilyScore score;
     unsigned level = 0; ///< of the best hypothesis
     std::size_t pose = 0;
@@ -59,7 +74,8 @@ struct VerifyReport {
     std::optional<NullReport> null;
 };
 
-/// Whether the key's mark is in the suspect. Where a registration that was asked for fails, the verdict isn't "absent".
+/// Whether the key's mark is in the suspect. The verdict isn't "absent" where a registration that was asked for fails,
+/// nor where none was asked for and the suspect looks like a part of something: then its own axes aren't the mark's.
 /// \throw GeometryError   if the mesh has no area
 /// \throw ParameterError  if the receipt belongs to another key, or this build can't register
 VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options,

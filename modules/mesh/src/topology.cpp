@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
 #include <tuple>
 
 #include <wm3d/mesh/measure.hpp>
@@ -30,6 +31,17 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
         }
     std::ranges::sort(sides, {}, [](const Side& s) { return std::tuple(s.low, s.high, s.forward); });
     return sides;
+}
+
+/// Calls visit(sides) for every edge with the sides that lie on it.
+template <typename Visitor>
+void for_each_edge(const std::vector<Side>& sides, Visitor&& visit) {
+    for (auto first = sides.begin(); first != sides.end();) {
+        const auto last = std::find_if(
+            first, sides.end(), [&](const Side& s) { return s.low != first->low || s.high != first->high; });
+        visit(std::span<const Side>(first, last));
+        first = last;
+    }
 }
 
 /// Disjoint sets of vertices.
@@ -63,20 +75,16 @@ std::size_t count_sets(Sets& sets, const std::vector<bool>& marked) {
 void inspect_edges(const std::vector<Side>& sides, std::size_t vertices, Topology& topology) {
     Sets loops(vertices);
     std::vector<bool> on_boundary(vertices, false);
-    for (auto first = sides.begin(); first != sides.end();) {
-        const auto last = std::find_if(
-            first, sides.end(), [&](const Side& s) { return s.low != first->low || s.high != first->high; });
-        const auto triangles = last - first;
+    for_each_edge(sides, [&](std::span<const Side> edge) {
         ++topology.edges;
-        topology.non_manifold_edges += triangles > 2;
-        topology.misoriented_edges += triangles == 2 && first->forward == (first + 1)->forward;
-        if (triangles == 1) {
+        topology.non_manifold_edges += edge.size() > 2;
+        topology.misoriented_edges += edge.size() == 2 && edge[0].forward == edge[1].forward;
+        if (edge.size() == 1) {
             ++topology.boundary_edges;
-            on_boundary[first->low] = on_boundary[first->high] = true;
-            loops.join(first->low, first->high);
+            on_boundary[edge[0].low] = on_boundary[edge[0].high] = true;
+            loops.join(edge[0].low, edge[0].high);
         }
-        first = last;
-    }
+    });
     topology.boundary_loops = count_sets(loops, on_boundary);
 }
 
@@ -102,6 +110,35 @@ Topology inspect_topology(const TriangleMesh& mesh) {
     topology.euler_characteristic =
         static_cast<long>(used_count + mesh.triangles.size()) - static_cast<long>(topology.edges);
     return topology;
+}
+
+std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
+    std::vector<Side> borders;
+    Sets sets(mesh.positions.size());
+    for_each_edge(sorted_sides(mesh), [&](std::span<const Side> edge) {
+        if (edge.size() != 1)
+            return;
+        borders.push_back(edge[0]);
+        sets.join(edge[0].low, edge[0].high);
+    });
+
+    std::vector<BorderLoop> loops;
+    std::vector<Vec3> origins; // a point of each loop: near the surface, digits aren't lost
+    std::vector<std::size_t> loop_of_root(mesh.positions.size(), borders.size());
+    for (const Side& s : borders) {
+        std::size_t& number = loop_of_root[sets.root(s.low)];
+        if (number == borders.size()) {
+            number = loops.size();
+            loops.emplace_back();
+            origins.push_back(mesh.positions[s.low]);
+        }
+        const Vec3 a = mesh.positions[s.low] - origins[number], b = mesh.positions[s.high] - origins[number];
+        BorderLoop& loop = loops[number];
+        ++loop.edges;
+        loop.length += (b - a).norm();
+        loop.opening += (s.forward ? -0.5 : 0.5) * a.cross(b); // what closes it walks the edge the other way
+    }
+    return loops;
 }
 
 double enclosed_volume(const TriangleMesh& mesh) {

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/mesh/topology.hpp>
 
+#include <cmath>
+
 #include <doctest/doctest.h>
+
+#include <wm3d/mesh/measure.hpp>
 
 using namespace wm3d;
 
@@ -73,4 +77,35 @@ TEST_CASE("nothing has no parts") {
     CHECK(t.components == 0);
     CHECK(t.euler_characteristic == 0);
     CHECK(enclosed_volume({}) == 0);
+}
+
+TEST_CASE("the opening of a border is the area vector that is missing") {
+    TriangleMesh mesh = tetrahedron();
+    const Vec3 missing = 0.5 * area_vector(mesh, 3);
+    mesh.triangles.pop_back();
+    for (Vec3& p : mesh.positions)
+        p += Vec3(100, 200, -300);
+    const std::vector<BorderLoop> loops = border_loops(mesh);
+    REQUIRE(loops.size() == 1);
+    CHECK(loops[0].edges == 3);
+    CHECK(loops[0].length == doctest::Approx(3 * std::sqrt(2.0)));
+    CHECK((loops[0].opening - missing).norm() < 1e-10);
+    CHECK(border_loops(tetrahedron()).empty());
+}
+
+TEST_CASE("a crack is a border that opens nothing, and every part has borders of its own") {
+    // Two strips side by side that share positions along a line but no vertices.
+    const TriangleMesh crack{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
+                             {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+    const std::vector<BorderLoop> loops = border_loops(crack);
+    REQUIRE(loops.size() == 2);
+    CHECK(loops[0].opening.z() == doctest::Approx(-1));
+    CHECK(loops[1].opening.z() == doctest::Approx(-1));
+
+    const TriangleMesh slit{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}},
+                      {{0, 4, 2}, {4, 1, 2}, {0, 3, 5}, {5, 3, 1}, {0, 2, 6}, {0, 6, 3}}};
+    double openings = 0;
+    for (const BorderLoop& loop : border_loops(slit))
+        openings += loop.opening.norm();
+    CHECK(openings == doctest::Approx(surface_area(slit))); // the outline alone, though the slit is a border too
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
@@ -25,6 +26,17 @@ struct Topology {
 };
 
 Topology inspect_topology(const TriangleMesh& mesh);
+
+/// A connected set of boundary edges.
+struct BorderLoop {
+    std::size_t edges = 0;
+    double length = 0; ///< in units of the mesh
+    /// Area vector of any surface that closes the loop; near 0 for a crack.
+    Vec3 opening = Vec3::Zero();
+};
+
+/// The borders of a mesh as it is indexed, in the order of their lowest vertices.
+std::vector<BorderLoop> border_loops(const TriangleMesh& mesh);
 
 /// Volume that a closed surface encloses, in cubed units of the mesh: positive if the normals point outwards.
 /// The number means nothing for a surface that isn't closed.
