@@ -16,6 +16,7 @@
 #include "pipeline/paper_roc.hpp"
 #include "pipeline/recommend.hpp"
 #include "pipeline/trial_log.hpp"
+#include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/number_list.hpp"
 #include "support/usage.hpp"
@@ -322,7 +323,7 @@ int run(const CLI::App& app, const AnalyzeArguments& arguments, Output& output) 
     }
     std::optional<key::Key> key;
     if (!arguments.key.empty())
-        key = key::Key::load(arguments.key);
+        key = load_key(arguments.key, output);
     const io::Model model = read_input(arguments.files);
     if (arguments.recommend)
         return recommend(arguments, model.mesh(), key, output);

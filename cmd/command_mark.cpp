@@ -15,6 +15,7 @@
 #include "pipeline/receipt.hpp"
 #include "pipeline/recommend.hpp"
 #include "pipeline/verify.hpp"
+#include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
 
@@ -161,7 +162,7 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
         check_target(arguments.receipt, arguments.files.overwrite);
-    const key::Key key = key::Key::load(arguments.key);
+    const key::Key key = load_key(arguments.key, output);
     const io::Model model = read_input(arguments.files);
     require_same_format(arguments, model.format(), format);
 

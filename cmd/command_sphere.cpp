@@ -11,6 +11,7 @@
 #include <wm3d/mesh/error.hpp>
 #include <wm3d/sphere.hpp>
 
+#include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
 
@@ -27,8 +28,8 @@ struct SphereOptions {
     double radius = 1;
 };
 
-key::Secret secret_of(const SphereOptions& options) {
-    return options.key.empty() ? key::null_secret(options.seed, 0) : key::Key::load(options.key).secret();
+key::Secret secret_of(const SphereOptions& options, Output& output) {
+    return options.key.empty() ? key::null_secret(options.seed, 0) : load_key(options.key, output).secret();
 }
 
 int run(const SphereOptions& options, Output& output) {
@@ -39,7 +40,7 @@ int run(const SphereOptions& options, Output& output) {
                         "reach through the centre",
                         options.rmax, options.radius));
     const auto heights =
-        key::watermark_sequence(secret_of(options), options.level, options.rmax / options.radius);
+        key::watermark_sequence(secret_of(options, output), options.level, options.rmax / options.radius);
     TriangleMesh mesh = sphere::BumpedSphere(sphere::Icosphere(options.level), heights).mesh();
     for (Vec3& p : mesh.positions)
         p *= options.radius;

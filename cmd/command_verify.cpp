@@ -13,6 +13,7 @@
 #include <wm3d/resync/receipt.hpp>
 
 #include "pipeline/verify.hpp"
+#include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
 
@@ -225,6 +226,20 @@ pipeline::VerifyOptions with_evidence(const VerifyArguments& arguments, const Ev
     return options;
 }
 
+/// Which of the receipt's two files the suspect is byte for byte. Whatever the detector says, the hashes can't err.
+std::string_view file_in_receipt(const io::Model& suspect, const resync::Receipt& receipt) {
+    // Positions that don't change leave every byte as it was read.
+    const resync::FileDigest digest = resync::digest_of(suspect.patched(suspect.mesh().positions));
+    return digest == receipt.marked ? "marked" : digest == receipt.original ? "original" : "other";
+}
+
+std::string receipt_line(std::string_view file) {
+    return fmt::format("receipt         the suspect is {}\n",
+                       file == "marked"     ? "byte for byte the file that was written when it was marked"
+                       : file == "original" ? "byte for byte the original, before it was marked"
+                                            : "neither the marked file nor the original, byte for byte");
+}
+
 /// What a registration tells besides the verdict.
 void tell_alignment(const VerifyArguments& arguments, const pipeline::VerifyReport& report, Output& output) {
     if (!report.registration)
@@ -247,7 +262,7 @@ int run(const VerifyArguments& arguments, Output& output) {
     if (arguments.resync == "icp" && arguments.receipt.empty() && arguments.reference.empty())
         throw ParameterError("--resync icp aligns the suspect with something: give --receipt or --reference, or use "
                              "--resync pca");
-    const key::Key key = key::Key::load(arguments.key);
+    const key::Key key = load_key(arguments.key, output);
     const Evidence evidence = read_evidence(arguments, output);
     const io::Model model = read_input(arguments.files);
     const pipeline::VerifyReport report =
@@ -258,7 +273,14 @@ int run(const VerifyArguments& arguments, Output& output) {
     output.print(output.toned(sentence(arguments, report, name), tone(report.verdict)) + "\n");
     if (!output.quiet())
         output.print(figures(report));
-    output.print_json(to_json(arguments, report, key));
+    ordered_json json = to_json(arguments, report, key);
+    if (evidence.receipt) {
+        const std::string_view file = file_in_receipt(model, *evidence.receipt);
+        if (!output.quiet())
+            output.print(receipt_line(file));
+        json["receipt"] = {{"file", file}};
+    }
+    output.print_json(json);
     return arguments.exit_zero ? exit_done : exit_status(report.verdict);
 }
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The executable among other programs: terminals, pipes, damaged files. outside.py WM3D TestClass"""
 import fcntl
+import json
 import os
 import pathlib
 import pty
@@ -146,6 +147,26 @@ class Marking(InFolder):
         done = wm3d("verify", self.sample(), "--key", self.key(), "--exit-zero", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b'"verdict": "absent"', done.stdout)
+
+    def test_the_receipt_knows_its_two_files(self):
+        key, receipt = self.key(), self.folder / "receipt"
+        for suffix in ("ply", "obj", "stl", "off", "glb"):
+            source, marked, other = (self.folder / f"{name}.{suffix}" for name in ("sample", "marked", "other"))
+            self.sample(8000, suffix)
+            self.assertEqual(wm3d("mark", source, "-o", marked, "--key", key, "--receipt", receipt,
+                                  "--strength", "0.1", "--overwrite").returncode, 0)
+            wm3d("mark", source, "-o", other, "--key", key, "--strength", "0.11")
+            for file, expected in ((source, "original"), (marked, "marked"), (other, "other")):
+                done = wm3d("verify", file, "--key", key, "--receipt", receipt, "--json")
+                self.assertEqual(json.loads(done.stdout)["receipt"], {"file": expected}, file)
+
+    def test_a_key_that_others_can_read_is_warned_of(self):
+        source, key = self.sample(2000), self.key()
+        for mode, warned in ((0o600, False), (0o400, False), (0o640, True), (0o604, True)):
+            key.chmod(mode)
+            message = wm3d("verify", source, "--key", key).stderr.decode()
+            self.assertEqual("chmod 600" in message, warned, message)
+            self.assertLessEqual(message.count("\n"), 1)
 
     def test_a_new_key_is_for_its_owner_alone(self):
         self.assertEqual(self.key().stat().st_mode & 0o777, 0o600)
