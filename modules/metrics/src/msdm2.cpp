@@ -19,12 +19,12 @@ struct Window {
     double mu = 0, mu_hat = 0, sigma = 0, sigma_hat = 0, sigma_c = 0;
 };
 
-Window window_at(const TriangleMesh& mesh, BallWalk& walk, Index vertex, double h,
+Window window_at(const TriangleMesh& mesh, BallWalk& walk, Index vertex, double h, double deviation,
                  const std::vector<double>& c, const std::vector<double>& c_hat) {
     const auto members = walk.gather(vertex, h);
-    const double spread = 2 * (h / 3) * (h / 3);
     const auto weight = [&](Index q) {
-        return std::exp(-(mesh.positions[q] - mesh.positions[vertex]).squaredNorm() / spread);
+        return std::exp(-(mesh.positions[q] - mesh.positions[vertex]).squaredNorm() /
+                        (2 * deviation * deviation));
     };
     Window window;
     double total = 0;
@@ -116,10 +116,11 @@ std::vector<double> msdm2_field(const TriangleMesh& distorted, const SurfaceTree
             interpolate(scaled_curvature(original, around_original, radius, side), original, matches);
         parallel_blocks(field.size(), 16384, [&](std::size_t begin, std::size_t end) {
             BallWalk walk(distorted, around);
-            for (std::size_t v = begin; v < end; ++v)
-                field[v] +=
-                    local_distance(window_at(distorted, walk, static_cast<Index>(v), h, c, c_hat), options) /
-                    static_cast<double>(options.scales.size());
+            for (std::size_t v = begin; v < end; ++v) {
+                const Window window =
+                    window_at(distorted, walk, static_cast<Index>(v), h, options.spread * h, c, c_hat);
+                field[v] += local_distance(window, options) / static_cast<double>(options.scales.size());
+            }
         });
     }
     return field;

@@ -2,6 +2,7 @@
 #include <wm3d/metrics/msdm2.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 #include <doctest/doctest.h>
 #include <wm3d/mesh.hpp>
@@ -60,6 +61,52 @@ TEST_CASE("it is symmetric and free of scale") {
     const double d = distance(mesh, rough);
     CHECK(distance(rough, mesh) == doctest::Approx(d).epsilon(0.02)); // windows are shares of the first box
     CHECK(distance(scaled(mesh), scaled(rough)) == doctest::Approx(d).epsilon(1e-6));
+}
+
+TEST_CASE("two spheres have the value that the formulas give") {
+    // Constant curvatures: no deviation, no covariance, L alone. Windows are wide enough for the triangles.
+    const double growth = 1.2;
+    const TriangleMesh unit = shapes::sphere(1, 48), larger = shapes::sphere(growth, 48);
+    Msdm2Options options;
+    options.scales = {0.10, 0.12, 0.14};
+    options.curvature_ratio = 0.8;
+    const double forward = (2 - 2 / growth) / (2 + 1);           // S = 2: C = 2 / growth against 2
+    const double backward = (2 * growth - 2) / (2 * growth + 1); // S = 2 growth: C = 2 growth against 2
+    const double expected = (forward + backward) / 2 / (1 + 1 + 0.5);
+    CHECK(msdm2(SurfaceTree(unit), SurfaceTree(larger), options) == doctest::Approx(expected).epsilon(0.02));
+}
+
+TEST_CASE("turning and moving both meshes changes nothing but the box") {
+    const TriangleMesh mesh = shapes::sphere(1, 40), rough = roughened(mesh, 0.1);
+    const auto moved = [](TriangleMesh m) {
+        for (Vec3& p : m.positions)
+            p = Vec3(p.y(), p.z(), p.x()) + Vec3(10, -20, 30); // the box keeps its sides
+        return m;
+    };
+    CHECK(distance(moved(mesh), moved(rough)) == doctest::Approx(distance(mesh, rough)).epsilon(1e-6));
+}
+
+TEST_CASE("roughness hides noise: the same noise is seen less where the surface was rough before") {
+    const TriangleMesh mesh = shapes::blob(20000, 1);
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const double unit = surface_box(mesh).diagonal() / 100;
+    TriangleMesh ground = mesh, noisy = mesh;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        const double roughness = mesh.positions[v][2] > 0 ? (v % 3 == 0 ? 0.4 : -0.2) : 0;
+        const double noise = (v * 2654435761U >> 16) % 2 == 0 ? 0.03 : -0.03;
+        ground.positions[v] += roughness * unit * normals[v];
+        noisy.positions[v] = ground.positions[v] + noise * unit * normals[v];
+    }
+    const std::vector<double> field = msdm2_field(noisy, SurfaceTree(ground));
+    double rough = 0, smooth = 0;
+    std::size_t rough_count = 0, smooth_count = 0;
+    for (std::size_t v = 0; v < field.size(); ++v) {
+        if (std::abs(mesh.positions[v][2]) < 0.1)
+            continue; // between the halves
+        (mesh.positions[v][2] > 0 ? rough : smooth) += field[v];
+        ++(mesh.positions[v][2] > 0 ? rough_count : smooth_count);
+    }
+    CHECK(rough / static_cast<double>(rough_count) < 0.7 * smooth / static_cast<double>(smooth_count));
 }
 
 TEST_CASE("local distances say where") {

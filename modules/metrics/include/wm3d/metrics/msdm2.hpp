@@ -16,6 +16,7 @@ namespace wm3d::metrics {
 struct Msdm2Options {
     std::array<double, 3> scales{0.010, 0.015, 0.020}; ///< h_i / S, radii of the windows
     double curvature_ratio = 0.2;                      ///< curvature radius r_i / h_i
+    double spread = 1.0 / 3;                           ///< deviation of the windows' Gaussian / h_i
     double weight_luminance = 1;                       ///< alpha, weight of the difference of the means
     double weight_contrast = 1;                        ///< beta, weight of the difference of the deviations
     double weight_structure = 0.5;                     ///< gamma, weight of the lack of covariance
@@ -29,7 +30,7 @@ struct Msdm2Options {
 /// At each scale h: C(v) = S (|k1| + |k2|) / 2 with the principal curvatures k of the tensor of D.
 /// Cohen-Steiner and J.-M. Morvan (2003) in the ball of radius r; C^(v) is the reference's C, interpolated at
 /// its point closest to v. Over the vertices of the window of radius h around v, weighted by a Gaussian of
-/// deviation h / 3, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c their
+/// deviation `spread` h, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c their
 /// covariance. Then
 ///     L = |mu - mu^| / (max(mu, mu^) + K)
 ///     D = |sigma - sigma^| / (max(sigma, sigma^) + K)
