@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "gnuplot_text.hpp"
+
 namespace wm3d::reporting {
 
 namespace {
@@ -18,14 +20,6 @@ static_assert(palette.size() == palette_size);
 
 constexpr std::array dashes{"1", "'-'", "'_.'", "'.'", "'-..'"};
 constexpr std::array shapes{7, 5, 9, 13, 11}; // filled circle, square, triangle, diamond, triangle down
-
-/// A string of gnuplot without any escapes: a quote is doubled.
-std::string quoted(const std::string& text) {
-    std::string result = "'";
-    for (char c : text)
-        result.append(c == '\'' ? 2 : 1, c == '\n' ? ' ' : c);
-    return result + "'";
-}
 
 bool fits_log_axes(const PlotPoint& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && p.x > 0 && p.y > 0;

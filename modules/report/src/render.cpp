@@ -13,10 +13,14 @@ namespace wm3d::reporting {
 
 namespace {
 
-const char* terminal_of(Image image) {
-    return image == Image::svg ? "svg size 960,600 dynamic enhanced font 'Arial,Helvetica,sans-serif,14' "
-                                 "background rgb 'white'"
-                               : "pngcairo size 1440,900 enhanced font 'Sans,18' background rgb 'white'";
+/// Pictures of points have half as many pixels again, and their letters are as much larger.
+std::string terminal_of(Image image, int width, int height, int letters) {
+    return image == Image::svg
+               ? fmt::format("svg size {},{} dynamic enhanced font 'Arial,Helvetica,sans-serif,{}' "
+                             "background rgb 'white'",
+                             width, height, letters)
+               : fmt::format("pngcairo size {},{} enhanced font 'Sans,{}' background rgb 'white'", width * 3 / 2,
+                             height * 3 / 2, (letters * 9 + 3) / 7);
 }
 
 bool drawable(const Plot& plot) {
@@ -33,17 +37,8 @@ std::string first_complaint(const std::string& errors) {
     return text.substr(0, text.find('\n'));
 }
 
-} // namespace
-
-bool can_render() {
-    return run_process({"gnuplot", "--version"}, "").success;
-}
-
-std::string render(const Plot& plot, Image image) {
-    if (!drawable(plot))
-        throw ParameterError("there is nothing to plot: no curve has a point above 0");
-    const ProcessResult result =
-        run_process({"gnuplot", "-d", "-"}, gnuplot_script(plot, terminal_of(image)));
+std::string draw(const std::string& script) {
+    const ProcessResult result = run_process({"gnuplot", "-d", "-"}, script);
     if (!result.found)
         throw Error("plots are drawn by gnuplot, which isn't installed; install it, for example with "
                     "'apt-get install gnuplot-nox'");
@@ -53,6 +48,25 @@ std::string render(const Plot& plot, Image image) {
                         "terminals svg and pngcairo",
                         first_complaint(result.errors)));
     return result.output;
+}
+
+} // namespace
+
+bool can_render() {
+    return run_process({"gnuplot", "--version"}, "").success;
+}
+
+std::string render(const Plot& plot, Image image) {
+    if (!drawable(plot))
+        throw ParameterError("there is nothing to plot: no curve has a point above 0");
+    return draw(gnuplot_script(plot, terminal_of(image, 960, 600, 14)));
+}
+
+std::string render(const HeatMap& map, Image image) {
+    if (map.rows.empty() || map.groups.empty())
+        throw ParameterError("there is nothing to plot: the heat map has no cell");
+    const HeatSize size = heat_map_size(map);
+    return draw(gnuplot_script(map, terminal_of(image, size.width, size.height, 12)));
 }
 
 } // namespace wm3d::reporting

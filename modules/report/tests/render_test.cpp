@@ -41,3 +41,17 @@ TEST_CASE("gnuplot draws every curve with its name, the labels and the intervals
     const std::string png = render(example(), Image::png);
     CHECK(png.starts_with("\x89PNG"));
 }
+
+TEST_CASE("gnuplot draws a heat map with every name and value") {
+    CHECK_THROWS_AS(render(HeatMap{}, Image::svg), wm3d::ParameterError);
+    if (!can_render()) {
+        fmt::print("SKIPPED: gnuplot is not installed\n");
+        return;
+    }
+    const HeatMap map{"title", "legend", {"noise", "it's"},
+                      {{"group", {"bunny"}, {{{"-12.5", 0.3, false, false}}, {{"-1.5", 0, true, false}}}}}};
+    const std::string svg = render(map, Image::svg);
+    for (const char* part : {"title", "legend", "noise", "it's", "group", "bunny", "-12.5", "-1.5"})
+        CHECK_MESSAGE(contains(svg, part), part);
+    CHECK(render(map, Image::png).starts_with("\x89PNG"));
+}

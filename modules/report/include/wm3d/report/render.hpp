@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include <wm3d/report/heat_map.hpp>
 #include <wm3d/report/plot.hpp>
 
 namespace wm3d::reporting {
@@ -17,5 +18,8 @@ bool can_render();
 /// \throw Error           if gnuplot isn't there (the sentence names the package) or fails
 /// \throw ParameterError  if the plot has no point that could be drawn
 std::string render(const Plot& plot, Image image);
+
+/// \throw Error, ParameterError  as for a plot
+std::string render(const HeatMap& map, Image image);
 
 } // namespace wm3d::reporting
