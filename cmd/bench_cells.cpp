@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <boost/math/distributions/binomial.hpp>
+#include <fmt/format.h>
 
 #include "pipeline/null_keys.hpp"
 
@@ -24,10 +26,13 @@ struct Rank {
     auto operator<=>(const Rank&) const = default;
 };
 
+std::size_t index_of(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+}
+
 Rank rank_of(const std::string& attack, const std::vector<std::string>& listed) {
-    const auto at = static_cast<std::size_t>(std::ranges::find(listed, attack) - listed.begin());
     const AttackChain chain = attack::parse_chain(attack);
-    Rank rank{at, "", chain.front().values};
+    Rank rank{index_of(listed, attack), "", chain.front().values};
     for (const attack::AttackSpec& spec : chain)
         rank.name += spec.name + '+';
     return rank;
@@ -42,28 +47,21 @@ void add(BenchCell& cell, std::size_t key, double log10_p, double log10_target) 
 }
 
 void fill_cells(BenchTable& table, const BenchResults& results) {
-    const std::vector<BenchCell> row(table.models.size());
-    table.cells.assign(table.attacks.size(), row);
+    table.cells.assign(table.attacks.size(), std::vector<BenchCell>(table.models.size()));
     table.assisted = table.cells;
     bool any_assisted = false;
     for (const auto& [name, item] : results.items) {
-        if (name.mark.size != table.size)
+        const std::size_t a = index_of(table.attacks, name.attack), m = index_of(table.models, name.mark.model);
+        if (name.mark.size != table.size || m == table.models.size())
             continue;
-        const auto a = static_cast<std::size_t>(std::ranges::find(table.attacks, name.attack) - table.attacks.begin());
-        const auto m =
-            static_cast<std::size_t>(std::ranges::find(table.models, name.mark.model) - table.models.begin());
-        if (a == table.attacks.size() || m == table.models.size())
-            continue;
-        if (!item.error.empty()) {
-            table.cells[a][m].error = item.error;
-            continue;
-        }
-        add(table.cells[a][m], name.mark.key, item.log10_p, table.log10_target);
+        BenchCell &blind = table.cells[a][m], &assisted = table.assisted[a][m];
+        if (!item.error.empty())
+            blind.error = assisted.error = item.error;
+        else
+            add(blind, name.mark.key, item.log10_p, table.log10_target);
         if (item.assisted) {
             any_assisted = true;
-            BenchCell& cell = table.assisted[a][m];
-            add(cell, name.mark.key, item.assisted->log10_p, table.log10_target);
-            cell.assisted_aligned = cell.assisted_aligned && item.assisted->aligned;
+            add(assisted, name.mark.key, item.assisted->log10_p, table.log10_target);
         }
     }
     if (!any_assisted)
@@ -106,6 +104,19 @@ double lower_tail(std::size_t count, std::size_t trials, double p) {
     return cdf(boost::math::binomial_distribution<>(static_cast<double>(trials), p), static_cast<double>(count));
 }
 
+/// Attacks of all items, each once.
+std::vector<std::string> bench_attacks(const BenchResults& results) {
+    std::vector<std::string> listed;
+    for (const AttackChain& chain : default_attacks())
+        listed.push_back(attack::to_string(chain));
+    std::set<std::string> names;
+    for (const auto& [name, item] : results.items)
+        names.insert(name.attack);
+    std::vector<std::string> attacks(names.begin(), names.end());
+    std::ranges::sort(attacks, {}, [&](const std::string& attack) { return rank_of(attack, listed); });
+    return attacks;
+}
+
 } // namespace
 
 std::size_t BenchTable::filled() const {
@@ -122,18 +133,6 @@ std::size_t BenchTable::missed() const {
     return count;
 }
 
-std::vector<std::string> bench_attacks(const BenchResults& results) {
-    std::vector<std::string> listed;
-    for (const AttackChain& chain : default_attacks())
-        listed.push_back(attack::to_string(chain));
-    std::set<std::string> names;
-    for (const auto& [name, item] : results.items)
-        names.insert(name.attack);
-    std::vector<std::string> attacks(names.begin(), names.end());
-    std::ranges::sort(attacks, {}, [&](const std::string& attack) { return rank_of(attack, listed); });
-    return attacks;
-}
-
 BenchTable bench_table(const BenchResults& results, const MarkSize& size, double log10_target) {
     BenchTable table;
     table.size = size;
@@ -148,6 +147,17 @@ BenchTable bench_table(const BenchResults& results, const MarkSize& size, double
     }
     fill_cells(table, results);
     return table;
+}
+
+std::string size_text(const MarkSize& size) {
+    return fmt::format("{} {} %", size.unit == MarkSize::Unit::mrms ? "MRMS up to" : "strength", size.value);
+}
+
+std::vector<std::string> model_headings(const std::vector<std::string>& files) {
+    std::vector<std::string> names;
+    for (const std::string& file : files)
+        names.push_back(std::filesystem::path(file).stem().string());
+    return std::set(names.begin(), names.end()).size() == names.size() ? names : files;
 }
 
 WrongKeys count_wrong_keys(const BenchResults& results) {

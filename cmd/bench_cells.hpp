@@ -11,12 +11,11 @@ namespace wm3d::cmd {
 
 /// What all keys of one attack on one model have in common.
 struct BenchCell {
-    std::size_t keys = 0;       ///< that were examined
-    std::size_t missed = 0;     ///< of them, with p above the target
-    double worst_log10_p = 0;   ///< largest over the keys
-    std::size_t worst_key = 0;  ///< which has it
-    std::string error;          ///< why there is no copy to examine; else empty
-    bool assisted_aligned = true; ///< with the original: every copy could be laid on it
+    std::size_t keys = 0;      ///< that were examined
+    std::size_t missed = 0;    ///< of them, with p above the target
+    double worst_log10_p = 0;  ///< largest over the keys
+    std::size_t worst_key = 0; ///< which has it
+    std::string error;         ///< why there is no copy to examine; else empty
 };
 
 /// How large the marks of one model became, over its keys.
@@ -57,10 +56,13 @@ struct WrongKeys {
     double uniformity = 1; ///< Kolmogorov-Smirnov: how likely uniform p stray as far as those in one hypothesis
 };
 
-/// Attacks of all items, each once.
-std::vector<std::string> bench_attacks(const pipeline::BenchResults& results);
-
 BenchTable bench_table(const pipeline::BenchResults& results, const pipeline::MarkSize& size, double log10_target);
+
+/// "MRMS up to 0.02 %" or "strength 0.019 %".
+std::string size_text(const pipeline::MarkSize& size);
+
+/// Names of the models for headings: without the extension where that leaves them different.
+std::vector<std::string> model_headings(const std::vector<std::string>& files);
 
 WrongKeys count_wrong_keys(const pipeline::BenchResults& results);
 

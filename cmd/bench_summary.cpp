@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <wm3d/report/table.hpp>
 
@@ -18,20 +17,14 @@ namespace {
 
 using namespace pipeline;
 
-/// Names for headings: without the extension where that stays clear.
-std::vector<std::string> headings(const std::vector<std::string>& files) {
-    std::vector<std::string> names;
-    for (const std::string& file : files)
-        names.push_back(std::filesystem::path(file).stem().string());
-    return std::set(names.begin(), names.end()).size() == names.size() ? names : files;
+std::string log10_text(double log10_p) {
+    return fmt::format("{:.1f}", log10_p > -0.05 ? 0 : log10_p); // never "-0.0"
 }
 
 std::string cell_text(const BenchCell& cell) {
-    if (!cell.error.empty() && cell.keys == 0)
-        return "none";
     if (cell.keys == 0)
-        return "";
-    const std::string number = fmt::format("{:.1f}", cell.worst_log10_p);
+        return cell.error.empty() ? "" : "none";
+    const std::string number = log10_text(cell.worst_log10_p);
     return cell.missed > 0 ? "**" + number + "**" : number;
 }
 
@@ -49,7 +42,7 @@ std::string rate_text(double rate) {
 
 std::string attack_table(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells, bool published) {
     reporting::Table text{{"attack"}, {}};
-    for (const std::string& model : headings(table.models))
+    for (const std::string& model : model_headings(table.models))
         text.columns.push_back(model);
     if (published)
         text.columns.insert(text.columns.end(), {"Cho 2007", "Wang 2011"});
@@ -71,7 +64,7 @@ std::string attack_table(const BenchTable& table, const std::vector<std::vector<
 
 std::string marks_table(const BenchTable& table) {
     reporting::Table text{{"model", "vertices", "strength, %", "MRMS, %", "largest", "MSDM2", "largest"}, {}};
-    const std::vector<std::string> names = headings(table.models);
+    const std::vector<std::string> names = model_headings(table.models);
     for (std::size_t m = 0; m < names.size(); ++m) {
         const BenchMarkRow& row = table.marks[m];
         text.rows.push_back({names[m], fmt::format("{}", row.vertices), fmt::format("{:.4f}", row.mean_strength),
@@ -81,19 +74,24 @@ std::string marks_table(const BenchTable& table) {
     return reporting::to_markdown(text);
 }
 
+/// A line for every attack that a key did not survive, and for every copy that there is not.
 std::string list_misses(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells) {
     std::string text;
-    const std::vector<std::string> names = headings(table.models);
-    for (std::size_t a = 0; a < table.attacks.size(); ++a)
+    const std::vector<std::string> names = model_headings(table.models);
+    for (std::size_t a = 0; a < table.attacks.size(); ++a) {
+        std::vector<std::string> misses;
         for (std::size_t m = 0; m < names.size(); ++m) {
             const BenchCell& cell = cells[a][m];
             if (cell.missed > 0)
-                text += fmt::format("- {}, {}: {} of {} keys, the worst (key {}) at {:.1f}\n", table.attacks[a], names[m],
-                                    cell.missed, cell.keys, cell.worst_key, cell.worst_log10_p);
+                misses.push_back(fmt::format("{} ({} of {} keys, worst {})", names[m], cell.missed, cell.keys,
+                                             log10_text(cell.worst_log10_p)));
             if (!cell.error.empty())
-                text += fmt::format("- {}, {}: no copy to examine: {}\n", table.attacks[a], names[m], cell.error);
+                misses.push_back(fmt::format("{} (no copy to examine: {})", names[m], cell.error));
         }
-    return text.empty() ? "None is missed.\n" : text;
+        if (!misses.empty())
+            text += fmt::format("- {}: {}\n", table.attacks[a], fmt::join(misses, ", "));
+    }
+    return text.empty() ? "None.\n" : text;
 }
 
 std::string table_section(const BenchTable& table) {
@@ -134,22 +132,18 @@ std::string wrong_section(const WrongKeys& wrong) {
 
 std::string introduction(const BenchSummary& summary) {
     std::string text = fmt::format(
-        "# Robustness\n\nEach model is marked with {} random keys; each marked copy is attacked, then moved, turned and "
+        "# Robustness\n\nEach model is marked with {} random key{}; every marked copy is attacked, then moved, turned and "
         "scaled at random, and examined blind, as `wm3d verify` does with its defaults. p is family-wise: the "
         "probability, at most, that a random key scores like this on that copy. Cho 2007 and Wang 2011 are published "
         "bit error rates of 64 bits in the model Venus at a like distortion, and in parentheses log10 of the "
         "probability that random bits agree as well.\n\nMade by wm3d {} with seed {}:\n\n    {}\n\n",
-        summary.keys, summary.version, summary.seed, summary.command);
+        summary.keys, summary.keys == 1 ? "" : "s", summary.version, summary.seed, summary.command);
     if (!summary.heat_map.empty())
         text += fmt::format("![log10 p of the worst key by attack and model]({})\n\n", summary.heat_map);
     return text;
 }
 
 } // namespace
-
-std::string size_text(const MarkSize& size) {
-    return fmt::format("{} {} %", size.unit == MarkSize::Unit::mrms ? "MRMS up to" : "strength", size.value);
-}
 
 BenchSummary summarize(const BenchResults& results, const BenchSetting& setting,
                        const std::vector<double>& log10_targets) {

@@ -29,7 +29,5 @@ std::string bench_markdown(const BenchSummary& summary);
 /// A line for every item.
 std::string bench_csv(const pipeline::BenchResults& results);
 
-/// "MRMS up to 0.02 %" or "strength 0.019 %".
-std::string size_text(const pipeline::MarkSize& size);
 
 } // namespace wm3d::cmd

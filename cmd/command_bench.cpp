@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <set>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,8 +14,10 @@
 #include <nlohmann/json.hpp>
 
 #include <wm3d/mesh/error.hpp>
+#include <wm3d/report/render.hpp>
 #include <wm3d/resync/registration.hpp>
 
+#include "bench_heat_map.hpp"
 #include "bench_summary.hpp"
 #include "pipeline/bench_log.hpp"
 #include "pipeline/damage.hpp"
@@ -178,29 +180,39 @@ private:
     std::chrono::steady_clock::time_point begin_;
 };
 
-/// One model from its file to its last item. \return whether it could be read
+/// The mesh of a file, or why there is none.
+std::optional<io::Model> read_model(const fs::path& path, pipeline::BenchModel& model) {
+    try {
+        io::Model file = read_mesh(path.string());
+        const TriangleMesh& mesh = file.mesh();
+        model = {pipeline::mesh_fingerprint(mesh), mesh.positions.size(), mesh.triangles.size(), ""};
+        return file;
+    } catch (const Error& error) {
+        model.error = error.what();
+        return {};
+    }
+}
+
+/// One model from its file to its last item. \return whether anything could be done with it
 bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipeline::BenchLog& log,
                Countdown& countdown, Output& output) {
     const std::string name = path.filename().string();
     const pipeline::BenchWork work = pipeline::missing_work(name, setting, log.results());
     pipeline::BenchModel model;
-    try {
-        const io::Model file = read_mesh(path.string());
-        model = {pipeline::mesh_fingerprint(file.mesh()), file.mesh().positions.size(), file.mesh().triangles.size(), ""};
-        log.add(name, model);
-        pipeline::run_bench(file.mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
-        return true;
-    } catch (const OutputError&) {
-        throw;
-    } catch (const Error& error) {
-        if (log.results().models.contains(name) && log.results().models.at(name).fingerprint != model.fingerprint)
-            throw; // the log's own complaint
-        model.error = error.what();
-    }
-    output.warn(fmt::format("{}; the others go on", model.error));
+    const std::optional<io::Model> file = read_model(path, model);
     log.add(name, model);
+    if (file) {
+        try {
+            pipeline::run_bench(file->mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
+            return true;
+        } catch (const GeometryError& error) {
+            model.error = fmt::format("{}: {}", path.string(), error.what());
+            log.add(name, model);
+        }
+    }
+    output.warn(model.error);
     countdown.skip(work.items.size());
-    return !model.fingerprint.empty();
+    return false;
 }
 
 std::size_t items_left(const std::vector<fs::path>& models, const pipeline::BenchSetting& setting,
@@ -223,8 +235,23 @@ std::string command_line(const BenchArguments& arguments) {
     return text + fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
 }
 
-void deliver(const BenchArguments& arguments, const BenchSummary& summary, const pipeline::BenchResults& results,
+/// Draws the heat map as SVG and PNG. \return whether gnuplot is there to do it
+bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary, Output& output) {
+    if (!reporting::can_render()) {
+        output.warn("there is no heat map, which gnuplot would draw; install it, for example with 'apt-get install "
+                    "gnuplot-nox', and run the same command again");
+        return false;
+    }
+    const reporting::HeatMap map = bench_heat_map(summary.tables);
+    write_result(arguments, "summary.svg", reporting::render(map, reporting::Image::svg));
+    write_result(arguments, "summary.png", reporting::render(map, reporting::Image::png));
+    return true;
+}
+
+void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeline::BenchResults& results,
              Output& output) {
+    if (draw_heat_map(arguments, summary, output))
+        summary.heat_map = "summary.svg";
     write_result(arguments, "summary.md", bench_markdown(summary));
     write_result(arguments, "summary.csv", bench_csv(results));
     ordered_json tables = ordered_json::array();
@@ -259,7 +286,7 @@ int run(BenchArguments arguments, Output& output) {
     for (const fs::path& path : models)
         readable += run_model(path, setting, log, countdown, output);
     if (readable == 0)
-        throw InputError("none of the models can be read, so there is nothing to examine; name others");
+        throw InputError("none of the models can be examined; the warnings say why");
     BenchSummary summary = summarize(log.results(), setting, targets);
     summary.command = command_line(arguments);
     summary.version = WM3D_VERSION;

@@ -136,6 +136,16 @@ BenchItem item_of(const ordered_json& json) {
     return item;
 }
 
+/// "NAME is X there and Y here" of a setting that differs; empty if none does.
+std::string first_difference(const ordered_json& there, const ordered_json& here) {
+    for (const auto& [name, value] : here.items()) {
+        const ordered_json& other = there.at(name);
+        if (other != value)
+            return fmt::format("{} is {} there and {} here", name, other.dump(), value.dump());
+    }
+    return "";
+}
+
 } // namespace
 
 std::string to_string(const MarkSize& size) {
@@ -153,9 +163,12 @@ BenchLog::BenchLog(const std::string& path, const ordered_json& settings)
 void BenchLog::read(const ordered_json& line, std::size_t number, const ordered_json& header,
                     const std::string& path) {
     if (number == 1) {
-        if (line.at("schema") != schema || line.at("settings") != header.at("settings"))
-            throw InputError(fmt::format("{}: these results were made with other settings ({}); name another folder",
-                                         path, line.at("settings").dump()));
+        if (line.at("schema") != schema)
+            throw InputError(fmt::format("{}: these results are of another version; name another folder", path));
+        if (const std::string difference = first_difference(line.at("settings"), header.at("settings"));
+            !difference.empty())
+            throw InputError(fmt::format("{}: these results were made with other settings: {}; name another folder",
+                                         path, difference));
         return;
     }
     const std::string kind = line.at("kind").get<std::string>();
@@ -167,18 +180,23 @@ void BenchLog::read(const ordered_json& line, std::size_t number, const ordered_
         results_.items[{mark_name_of(line), line.at("attack").get<std::string>()}] = item_of(line);
 }
 
-void BenchLog::add(const std::string& name, const BenchModel& model) {
-    const auto found = results_.models.find(name);
-    const bool is_new = found == results_.models.end();
-    if (!is_new && !found->second.fingerprint.empty() && !model.fingerprint.empty() &&
-        found->second.fingerprint != model.fingerprint)
-        throw InputError(fmt::format("{}: these results of {} belong to another mesh; name another folder, or the "
-                                     "model otherwise",
-                                     lines_.path(), name));
-    if (!is_new && found->second.fingerprint == model.fingerprint && found->second.error == model.error)
-        return;
+void BenchLog::add(const std::string& name, BenchModel model) {
+    if (const auto found = results_.models.find(name); found != results_.models.end()) {
+        const BenchModel& known = found->second;
+        if (model.fingerprint.empty()) { // it can't be read any more; what was found on it stays
+            model.fingerprint = known.fingerprint;
+            model.vertices = known.vertices;
+            model.triangles = known.triangles;
+        }
+        if (!known.fingerprint.empty() && known.fingerprint != model.fingerprint)
+            throw InputError(fmt::format("{}: these results of {} belong to another mesh; name another folder, or the "
+                                         "model otherwise",
+                                         lines_.path(), name));
+        if (known.fingerprint == model.fingerprint && known.error == model.error)
+            return;
+    }
     lines_.append(to_json(name, model));
-    results_.models[name] = model;
+    results_.models[name] = std::move(model);
 }
 
 void BenchLog::add(const MarkName& name, const BenchMark& mark) {

@@ -24,9 +24,12 @@ public:
     /// What is there. Not to be read while other threads add to it.
     const BenchResults& results() const { return results_; }
 
+    /// A model that is there as it is now is not written again.
     /// \throw InputError   if the file holds results of another mesh under this name
-    /// \throw OutputError  as the other two
-    void add(const std::string& name, const BenchModel& model);
+    /// \throw OutputError  if the file can't be written
+    void add(const std::string& name, BenchModel model);
+
+    /// From any thread. \throw OutputError
     void add(const MarkName& name, const BenchMark& mark);
     void add(const ItemName& name, const BenchItem& item);
 

@@ -15,8 +15,11 @@ namespace wm3d::pipeline {
 
 namespace {
 
+/// Whether a part between commas is an attack and no value of the attack before it.
 bool starts_attack(std::string_view part) {
-    const std::string_view name = part.substr(0, part.find_first_of(":+"));
+    if (part.substr(0, part.find_first_of("+=")).find(':') != std::string_view::npos)
+        return true; // whether its name is known or not: values have no colon
+    const std::string_view name = part.substr(0, part.find('+'));
     return std::ranges::any_of(attack::known_attacks(), [&](const attack::AttackInfo& info) {
         return name == info.name || (!info.alias.empty() && name == info.alias);
     });
