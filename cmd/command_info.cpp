@@ -54,7 +54,8 @@ Facts inspect(const io::Model& model) {
     if (facts.topology.closed() && facts.triangles > 0)
         facts.volume = enclosed_volume(mesh);
     if (facts.area > 0) {
-        const Eigen::SelfAdjointEigenSolver<Mat3> eigen(surface_moments(mesh).covariance);
+        const Eigen::SelfAdjointEigenSolver<Mat3> eigen(
+            central_moments(mesh, substance(mesh)).covariance);
         const Vec3 ascending = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
         facts.frame = {canonical_frame(mesh), ascending.reverse()};
     }

@@ -8,6 +8,7 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/parallel.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
+#include <wm3d/resync/smoothing_trend.hpp>
 
 namespace wm3d::pipeline {
 
@@ -35,20 +36,45 @@ Examination::Examination(const Suspect& suspect, ExaminationOptions options, con
     make_poses(suspect, progress);
     for (View& view : views_)
         view.base = to_frame(suspect.base, view.frame);
-    parallel_blocks(views_.size(), 1, [&](std::size_t v, std::size_t) {
-        views_[v].evidence = std::make_unique<detect::Evidence>(views_[v].base, options_.evidence);
-    });
+    gather_evidence();
     make_family();
     report(progress, "examining the surface", 1);
+}
+
+void Examination::gather_evidence() {
+    // Views of nearly one scale differ in their centre alone, and that is cheap.
+    constexpr double alike = 0.1;
+    const View& first = views_.front();
+    parallel_blocks(views_.size(), 1, [&](std::size_t v, std::size_t) {
+        if (v == 0 || std::abs(views_[v].frame.scale / first.frame.scale - 1) > alike)
+            views_[v].evidence = std::make_unique<detect::Evidence>(views_[v].base, options_.evidence);
+    });
+    for (View& view : views_)
+        if (!view.evidence)
+            view.evidence = std::make_unique<detect::Evidence>(
+                first.evidence->seen_from(first.frame.to_canonical(view.frame.centroid)));
+}
+
+void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
+    for (Substance substance : possible_substances(suspect.mesh)) {
+        resync::HierarchyOptions hierarchy;
+        hierarchy.substance = substance;
+        const resync::FrameEstimate estimate =
+            resync::estimate_frame(suspect.mesh, suspect.base, hierarchy, progress);
+        for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
+            add_pose(candidate);
+        for (const resync::CandidatePose& before :
+             resync::frames_before_smoothing(suspect.mesh, estimate.finest, substance))
+            for (const Frame& choice : sign_choices(before.frame))
+                add_pose({choice, before.origin});
+    }
 }
 
 void Examination::make_poses(const Suspect& suspect, const Progress& progress) {
     if (options_.resync == Resync::none)
         add_pose({canonical_frame(suspect.mesh), "canonical frame"});
     if (options_.resync == Resync::pca)
-        for (const resync::CandidatePose& candidate :
-             resync::candidate_poses(resync::estimate_frame(suspect.mesh, suspect.base, {}, progress)))
-            add_pose(candidate);
+        add_principal_poses(suspect, progress);
     for (const resync::CandidatePose& candidate : options_.poses)
         add_pose(candidate);
     if (poses_.empty())

@@ -48,7 +48,7 @@ struct Suspect {
 
 Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
 
-/// Everything about a suspect that no key is needed for. Poses that share centre and scale share the evidence.
+/// Everything about a suspect that no key is needed for. Poses share the evidence as far as they can.
 class Examination {
 public:
     /// \throw GeometryError  if the mesh has no area
@@ -96,6 +96,8 @@ private:
     const View& view(std::size_t pose) const { return views_[poses_[pose].view]; }
     std::vector<sphere::SparseRows> rows(std::size_t pose, std::span<const unsigned> levels) const;
     void make_poses(const Suspect& suspect, const Progress& progress);
+    void add_principal_poses(const Suspect& suspect, const Progress& progress);
+    void gather_evidence();
     void add_pose(const resync::CandidatePose& candidate);
     void make_family();
 

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 
-#include "neighbours.hpp"
+#include <wm3d/mesh/neighbours.hpp>
 
 namespace wm3d::attack {
 

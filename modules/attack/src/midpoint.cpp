@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "neighbours.hpp"
+#include <wm3d/mesh/neighbours.hpp>
 
 namespace wm3d::attack {
 

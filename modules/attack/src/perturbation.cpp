@@ -5,10 +5,10 @@
 
 #include <wm3d/attack/random.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/neighbours.hpp>
 #include <wm3d/mesh/parallel.hpp>
 
 #include "centre.hpp"
-#include "neighbours.hpp"
 
 namespace wm3d::attack {
 

@@ -3,8 +3,9 @@
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 
+#include <wm3d/mesh/neighbours.hpp>
+
 #include "cgal_mesh.hpp"
-#include "neighbours.hpp"
 
 namespace wm3d::attack {
 

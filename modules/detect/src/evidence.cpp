@@ -53,59 +53,103 @@ std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<con
 
 } // namespace
 
+struct Evidence::Core {
+    EvidenceOptions options;
+    std::vector<Vec3> positions, normals;
+    SurfaceFilter surface;
+    std::vector<std::vector<double>> weights; ///< per filter: a_i g_i
+    std::vector<std::vector<double>> pulled;  ///< per filter: HP^T (a g e)
+
+    Core(const TriangleMesh& base, EvidenceOptions chosen)
+        : options(std::move(chosen)), positions(base.positions), normals(vertex_normals(base)), surface(base),
+          weights(options.filters.size()), pulled(options.filters.size()) {
+        const std::vector<std::vector<double>> x = coordinates(base);
+        const std::span<const double> area = surface.mass();
+        parallel_blocks(options.filters.size(), 1, [&](std::size_t f, std::size_t) {
+            const Filter& filter = options.filters[f];
+            const std::vector<double> e = normal_residual(base, normals, surface.low_pass(filter.t, x));
+            weights[f] = residual_weights(surface, e, filter, options.variance_floor);
+            for (std::size_t i = 0; i < e.size(); ++i)
+                weights[f][i] *= area[i];
+            pulled[f] = pull(f, e);
+        });
+    }
+
+    /// HP^T (a g e)
+    std::vector<double> pull(std::size_t f, std::span<const double> e) const {
+        std::vector<double> y(e.size());
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = weights[f][i] * e[i];
+        const std::vector<double> low = surface.low_pass_transposed(options.filters[f].t, y);
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] -= low[i];
+        return y;
+    }
+
+    /// HP x
+    std::vector<double> high_pass(std::size_t f, std::span<const double> x) const {
+        std::vector<double> h(x.begin(), x.end());
+        const std::vector<double> low = surface.low_pass(options.filters[f].t, {h}).front();
+        for (std::size_t i = 0; i < h.size(); ++i)
+            h[i] -= low[i];
+        return h;
+    }
+
+    /// Root of the area-weighted mean square.
+    double rms(std::span<const double> x) const {
+        const std::span<const double> area = surface.mass();
+        double squares = 0, total = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            squares += area[i] * x[i] * x[i];
+            total += area[i];
+        }
+        return total > 0 ? std::sqrt(squares / total) : 0;
+    }
+};
+
 Evidence::Evidence(const TriangleMesh& base, EvidenceOptions options)
-    : options_(std::move(options)), surface_(base), visibility_(base.positions.size()) {
-    const std::vector<Vec3> normals = vertex_normals(base);
+    : Evidence(std::make_shared<const Core>(base, std::move(options)), Vec3::Zero()) {}
+
+Evidence::Evidence(std::shared_ptr<const Core> core, const Vec3& centre)
+    : core_(std::move(core)), visibility_(core_->positions.size()) {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
-        visibility_[i] = normals[i].dot(base.positions[i].normalized());
-    const std::vector<std::vector<double>> x = coordinates(base);
-    const std::span<const double> area = surface_.mass();
-    weights_.resize(filters());
-    weighed_.resize(filters());
-    parallel_blocks(filters(), 1, [&](std::size_t f, std::size_t) {
-        const Filter& filter = options_.filters[f];
-        const std::vector<double> e = normal_residual(base, normals, surface_.low_pass(filter.t, x));
-        weights_[f] = residual_weights(surface_, e, filter, options_.variance_floor);
-        for (std::size_t i = 0; i < e.size(); ++i)
-            weights_[f][i] *= area[i];
-        weighed_[f] = weigh(f, e);
-    });
+        visibility_[i] = core_->normals[i].dot((core_->positions[i] - centre).normalized());
+}
+
+Evidence Evidence::seen_from(const Vec3& centre) const { return {core_, centre}; }
+
+std::size_t Evidence::filters() const { return core_->options.filters.size(); }
+
+const Filter& Evidence::filter(std::size_t f) const { return core_->options.filters[f]; }
+
+std::vector<double> Evidence::seen(std::span<const double> pulled) const {
+    std::vector<double> y(pulled.begin(), pulled.end());
+    for (std::size_t i = 0; i < y.size(); ++i)
+        y[i] *= visibility_[i];
+    return y;
 }
 
 LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {
-    return {sphere::multiply_transposed(rows, weighed_[f]), rmax};
+    return {sphere::multiply_transposed(rows, seen(core_->pulled[f])), rmax};
 }
 
 std::vector<double> Evidence::normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
-    std::vector<double> q = sphere::multiply(rows, w);
-    for (std::size_t i = 0; i < q.size(); ++i)
-        q[i] *= visibility_[i];
-    return q;
-}
-
-double Evidence::rms(std::span<const double> x) const {
-    const std::span<const double> area = surface_.mass();
-    double squares = 0, total = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        squares += area[i] * x[i] * x[i];
-        total += area[i];
-    }
-    return total > 0 ? std::sqrt(squares / total) : 0;
+    return seen(sphere::multiply(rows, w));
 }
 
 double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const {
-    const double unit = rms(normal_bumps(rows, w));
+    const double unit = core_->rms(normal_bumps(rows, w));
     return unit > 0 ? move / unit : 0;
 }
 
 LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
                                          double rmax, double move) const {
     std::vector<double> q = normal_bumps(rows, w);
-    const double unit = rms(q);
+    const double unit = core_->rms(q);
     for (double& x : q)
         x *= unit > 0 ? move / unit : 0;
-    const std::vector<double> e = high_pass(options_.filters[f].t, q); // what the mark adds to the residual
-    return {sphere::multiply_transposed(rows, weigh(f, e)), rmax};
+    const std::vector<double> e = core_->high_pass(f, q); // what the mark adds to the residual
+    return {sphere::multiply_transposed(rows, seen(core_->pull(f, e))), rmax};
 }
 
 double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
@@ -113,24 +157,6 @@ double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, 
     const LinearStatistic own = mark_statistic(f, rows, w, rmax, move);
     const double sigma = std::hypot(statistic(f, rows, rmax).sigma(), own.sigma());
     return sigma > 0 ? own.value(w) / sigma : 0;
-}
-
-std::vector<double> Evidence::high_pass(double t, std::span<const double> x) const {
-    std::vector<double> h(x.begin(), x.end());
-    const std::vector<double> low = surface_.low_pass(t, {h}).front();
-    for (std::size_t i = 0; i < h.size(); ++i)
-        h[i] -= low[i];
-    return h;
-}
-
-std::vector<double> Evidence::weigh(std::size_t f, std::span<const double> e) const {
-    std::vector<double> y(e.size());
-    for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] = weights_[f][i] * e[i];
-    const std::vector<double> low = surface_.low_pass_transposed(options_.filters[f].t, y);
-    for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] = visibility_[i] * (y[i] - low[i]);
-    return y;
 }
 
 } // namespace wm3d::detect

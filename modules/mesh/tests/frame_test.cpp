@@ -2,6 +2,9 @@
 #include <wm3d/mesh/frame.hpp>
 
 #include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <doctest/doctest.h>
@@ -9,6 +12,7 @@
 #include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/parallel.hpp>
+#include <wm3d/mesh/weld.hpp>
 
 using namespace wm3d;
 
@@ -56,6 +60,64 @@ TEST_CASE("moments and frame don't depend on the triangulation") {
     CHECK(canonical_frame(coarse).scale == doctest::Approx(canonical_frame(fine).scale).epsilon(0.01));
 }
 
+TEST_CASE("moments of a solid are exact on a box, whichever way its triangles look") {
+    // [0, 2] x [0, 4] x [0, 6], each side two triangles
+    TriangleMesh box{{{0, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}, {0, 0, 6}, {2, 0, 6}, {2, 4, 6}, {0, 4, 6}},
+                     {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
+                      {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}};
+    const double area = 2 * (8 + 12 + 24);
+    for (double sign : {1.0, -1.0}) {
+        const SolidMoments m = solid_moments(box);
+        CHECK(m.volume == doctest::Approx(sign * 48));
+        CHECK((m.centroid - Vec3(1, 2, 3)).norm() < 1e-14);
+        const Vec3 variance(4.0 / 12, 16.0 / 12, 36.0 / 12);
+        CHECK((m.covariance - Mat3(variance.asDiagonal())).norm() < 1e-14);
+        CHECK(m.sphericity == doctest::Approx(36 * std::numbers::pi * 48 * 48 / (area * area * area)));
+        CHECK(m.openness < 1e-15);
+        CHECK(substance(box) == Substance::solid);
+        CHECK(possible_substances(box).size() == 1);
+        for (Triangle& t : box.triangles)
+            std::swap(t[1], t[2]);
+    }
+}
+
+TEST_CASE("a sheet is a surface, a box without a small window a solid, one without a side a surface") {
+    const TriangleMesh sheet{{{1, 1, 5}, {7, 1, 5}, {7, 3, 5}, {1, 3, 5}}, {{0, 1, 2}, {0, 2, 3}}};
+    CHECK(substance(sheet) == Substance::surface);
+    CHECK(solid_moments(sheet).openness == doctest::Approx(1));
+    const TriangleMesh fine = split(split(split(tetrahedron())));
+    TriangleMesh window = fine, side = fine;
+    window.triangles.erase(window.triangles.begin() + 5);
+    side.triangles.erase(side.triangles.begin(), side.triangles.begin() + static_cast<std::ptrdiff_t>(side.triangles.size() / 4));
+    CHECK(substance(window) == Substance::solid);
+    CHECK(substance(side) == Substance::surface);
+    // A cone from the centroid fills the window, so little moves.
+    const SolidMoments a = solid_moments(fine), b = solid_moments(window);
+    CHECK((a.centroid - b.centroid).norm() < 0.01 * mean_radius(fine, a.centroid));
+}
+
+TEST_CASE("noise that moves a surface in and out leaves the solid's frame alone and shifts the surface's") {
+    // Half of the tetrahedron's vertices, those of positive x, jitter along fixed directions.
+    TriangleMesh mesh = tetrahedron();
+    for (int i = 0; i < 7; ++i)
+        mesh = split(mesh);
+    mesh = weld(mesh.positions, mesh.triangles).mesh; // else the noise tears it open
+    TriangleMesh rough = mesh;
+    std::uint64_t state = 1;
+    const auto uniform = [&] {
+        state = state * 6364136223846793005u + 1442695040888963407u;
+        return static_cast<double>(state >> 11) * 0x1p-52 - 1;
+    };
+    const Frame surface = canonical_frame(mesh, Substance::surface);
+    for (Vec3& p : rough.positions)
+        if (p.x() > surface.centroid.x())
+            p += 0.01 * surface.scale * Vec3(uniform(), uniform(), uniform());
+    const auto shift = [&](Substance s) {
+        return (canonical_frame(rough, s).centroid - canonical_frame(mesh, s).centroid).norm() / surface.scale;
+    };
+    CHECK(shift(Substance::surface) > 5 * shift(Substance::solid));
+}
+
 TEST_CASE("the canonical frame follows a similarity transform") {
     const TriangleMesh mesh = tetrahedron();
     const Mat3 rotation = Eigen::AngleAxisd(2.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
@@ -72,7 +134,7 @@ TEST_CASE("in the canonical frame the centroid is 0 and the mean radius 1, and t
     const Frame frame = canonical_frame(mesh);
     CHECK(frame.axes.determinant() == doctest::Approx(1));
     const TriangleMesh moved = to_frame(mesh, frame);
-    CHECK(surface_moments(moved).centroid.norm() < 1e-14);
+    CHECK(solid_moments(moved).centroid.norm() < 1e-13);
     CHECK(mean_radius(moved, Vec3::Zero()) == doctest::Approx(1).epsilon(1e-14));
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         CHECK((frame.from_canonical(moved.positions[v]) - mesh.positions[v]).norm() < 1e-14);

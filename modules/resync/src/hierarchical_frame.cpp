@@ -10,19 +10,14 @@
 #include <wm3d/resync/similarity.hpp>
 #include <wm3d/simplify/simplify.hpp>
 
+#include "nearest_signs.hpp"
+
 namespace wm3d::resync {
 
 namespace {
 
 constexpr double degrees = 57.29577951308232;
 constexpr double widest = 45; // a turn by more is a neighbouring quarter turn's business
-
-/// The sign choice of `frame` whose axes are nearest to those of `like`.
-Frame with_signs_of(const Frame& frame, const Frame& like) {
-    const std::array<Frame, 4> choices = sign_choices(frame);
-    return *std::ranges::min_element(
-        choices, {}, [&](const Frame& choice) { return angle_between(choice.axes, like.axes); });
-}
 
 /// The rotation that is nearest to the element-wise median of rotations.
 Mat3 median_rotation(const std::vector<LevelFrame>& levels) {
@@ -57,8 +52,8 @@ double turn_about(const Vec3& moments, int k, double change) {
 LevelFrame level_of(const TriangleMesh& mesh, const FrameEstimate& estimate, const Mat3& finest_covariance) {
     LevelFrame level;
     level.vertices = mesh.positions.size();
-    level.frame = with_signs_of(canonical_frame(mesh), estimate.finest);
-    const Mat3 covariance = surface_moments(mesh).covariance;
+    level.frame = with_signs_of(canonical_frame(mesh, estimate.substance), estimate.finest);
+    const Mat3 covariance = central_moments(mesh, estimate.substance).covariance;
     level.change = (covariance / covariance.trace() - finest_covariance / finest_covariance.trace()).norm();
     return level;
 }
@@ -104,6 +99,12 @@ void add_turns(FrameList& list, const FrameEstimate& estimate, int axis, double 
 
 } // namespace
 
+Frame with_signs_of(const Frame& frame, const Frame& like) {
+    const std::array<Frame, 4> choices = sign_choices(frame);
+    return *std::ranges::min_element(
+        choices, {}, [&](const Frame& choice) { return angle_between(choice.axes, like.axes); });
+}
+
 std::string_view describe(Ambiguity ambiguity) {
     switch (ambiguity) {
     case Ambiguity::none:
@@ -121,8 +122,9 @@ std::string_view describe(Ambiguity ambiguity) {
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options,
                              const Progress& progress) {
     FrameEstimate estimate;
-    estimate.finest = canonical_frame(mesh);
-    const Mat3 covariance = surface_moments(mesh).covariance;
+    estimate.substance = options.substance.value_or(substance(mesh));
+    estimate.finest = canonical_frame(mesh, estimate.substance);
+    const Mat3 covariance = central_moments(mesh, estimate.substance).covariance;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
     estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
     estimate.levels.push_back({mesh.positions.size(), estimate.finest, 0});

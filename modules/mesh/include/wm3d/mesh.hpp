@@ -5,9 +5,11 @@
 #include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/neighbours.hpp>
 #include <wm3d/mesh/parallel.hpp>
 #include <wm3d/mesh/progress.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/mesh/types.hpp>
+#include <wm3d/mesh/umbrella.hpp>
 #include <wm3d/mesh/weld.hpp>

@@ -8,4 +8,5 @@
 #include <wm3d/resync/receipt.hpp>
 #include <wm3d/resync/registration.hpp>
 #include <wm3d/resync/similarity.hpp>
+#include <wm3d/resync/smoothing_trend.hpp>
 #include <wm3d/resync/surface_difference.hpp>

@@ -2,6 +2,7 @@
 /// \file  The whitened detector: from a suspect's base mesh, before any key is looked at, to linear statistics.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -34,8 +35,11 @@ public:
     /// \param base  base mesh in a canonical frame (centred, mean radius 1); rotations don't matter
     explicit Evidence(const TriangleMesh& base, EvidenceOptions options = {});
 
-    std::size_t filters() const { return options_.filters.size(); }
-    const Filter& filter(std::size_t f) const { return options_.filters[f]; }
+    /// The same evidence for radial moves about another centre, in the coordinates of the base. Costs next to nothing.
+    Evidence seen_from(const Vec3& centre) const;
+
+    std::size_t filters() const;
+    const Filter& filter(std::size_t f) const;
 
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
     std::span<const double> visibility() const { return visibility_; }
@@ -60,16 +64,14 @@ public:
                            double move) const;
 
 private:
-    std::vector<double> normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
-    double rms(std::span<const double> x) const;
-    std::vector<double> high_pass(double t, std::span<const double> x) const;
-    std::vector<double> weigh(std::size_t f, std::span<const double> e) const;
+    struct Core; ///< what doesn't depend on the centre
+    Evidence(std::shared_ptr<const Core> core, const Vec3& centre);
 
-    EvidenceOptions options_;
-    SurfaceFilter surface_;
+    std::vector<double> normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
+    std::vector<double> seen(std::span<const double> pulled) const;
+
+    std::shared_ptr<const Core> core_;
     std::vector<double> visibility_;
-    std::vector<std::vector<double>> weights_;  ///< per filter: a_i g_i
-    std::vector<std::vector<double>> weighed_;  ///< per filter: diag(d.n) HP^T (a g e)
 };
 
 } // namespace wm3d::detect

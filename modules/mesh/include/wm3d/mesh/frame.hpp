@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
@@ -30,14 +31,54 @@ struct SurfaceMoments {
 /// \throw GeometryError  if the surface has no area
 SurfaceMoments surface_moments(const TriangleMesh& mesh);
 
+/// Exact moments of the solid of unit density that a surface encloses. Noise and roundings move a surface in and
+/// out alike and so leave these alone, where they add area to whatever is finely sampled.
+struct SolidMoments {
+    double volume = 0; ///< signed: negative where the triangles look inwards
+    Vec3 centroid = Vec3::Zero();
+    Mat3 covariance = Mat3::Zero(); ///< second central moments over volume, in squared units of the mesh
+    double sphericity = 0;          ///< 36 pi volume^2 / area^3: 1 of a sphere, 0 of a sheet
+    double openness = 0;            ///< length of the sum of the area vectors over area: 0 of a closed surface
+};
+
+/// An open surface is closed by a cone whose apex is the centroid itself. Without volume all is zero.
+/// \throw GeometryError  if the surface has no area
+SolidMoments solid_moments(const TriangleMesh& mesh);
+
+/// What a canonical frame is taken from.
+enum class Substance {
+    solid,   ///< what the surface encloses
+    surface, ///< the surface itself: sheets, scans with large holes, triangles that look both ways
+};
+
+/// The substance of a mesh: a solid where it encloses enough and is closed enough.
+/// \throw GeometryError  if the surface has no area
+Substance substance(const TriangleMesh& mesh);
+
+/// Both substances, that of the mesh first, where an attack could have turned one into the other; else its own.
+/// \throw GeometryError  if the surface has no area
+std::vector<Substance> possible_substances(const TriangleMesh& mesh);
+
 /// Area-weighted mean distance of the surface from `centre`, by a fixed rule of degree 5 on each triangle.
 double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
 
-/// The canonical frame: area-weighted centroid, principal axes of the surface's second moments from largest
-/// to smallest, mean radius 1. Signs of the first two axes make the third moments along them positive; the
-/// third axis completes a right-handed system.
+/// The canonical frame: centroid and principal axes, from the largest second moment to the smallest, of a
+/// substance; mean radius of the surface 1. Signs of the first two axes make the surface's third moments along
+/// them positive; the third axis completes a right-handed system.
 /// \throw GeometryError  if the surface has no area or all of it lies in one point
+Frame canonical_frame(const TriangleMesh& mesh, Substance substance);
+
+/// The canonical frame of the mesh's own substance.
 Frame canonical_frame(const TriangleMesh& mesh);
+
+/// Centre and spread of a mass: what a canonical frame's place and axes come from.
+struct CentralMoments {
+    Vec3 centroid = Vec3::Zero();
+    Mat3 covariance = Mat3::Zero(); ///< second central moments over mass, in squared units of the mesh
+};
+
+/// \throw GeometryError  if the surface has no area
+CentralMoments central_moments(const TriangleMesh& mesh, Substance substance);
 
 /// `frame` and its three turns by 180 degrees about its own axes: the four proper choices of axis signs.
 /// The first is `frame` itself.

@@ -3,6 +3,7 @@
 /// (the way to rotated copies that section 4 of the paper proposes as future work).
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct HierarchyOptions {
     /// Relative distance of two eigenvalues below which a shape counts as ambiguous: a change of the moments of a
     /// tenth of that turns the axes by 6 degrees.
     double ambiguous_gap = 0.01;
+    std::optional<Substance> substance{}; ///< whose moments; the mesh's own where not given
 };
 
 /// What the moments leave open.
@@ -41,6 +43,7 @@ struct LevelFrame {
 
 /// The frame of a mesh and how well its moments determine it.
 struct FrameEstimate {
+    Substance substance = Substance::solid; ///< whose moments these are
     Frame finest;   ///< `canonical_frame` of the mesh itself
     Frame robust;   ///< median of the levels' rotations; centre and scale are the finest level's
     Vec3 moments = Vec3::Zero(); ///< eigenvalues, descending, in squared mean radii
@@ -50,7 +53,7 @@ struct FrameEstimate {
     std::vector<LevelFrame> levels; ///< finest first
 };
 
-/// Estimates the frame of a mesh from its own exact surface moments and those of its coarser levels.
+/// Estimates the frame of a mesh from its own exact moments and those of its coarser levels.
 /// \param mesh  the mesh
 /// \param base  a simplified version of it, from which the coarser levels are made
 /// \throw GeometryError  if the mesh has no area

@@ -7,7 +7,7 @@
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
-namespace wm3d::attack {
+namespace wm3d {
 
 struct Edge {
     Index a = 0, b = 0; ///< a < b
@@ -36,4 +36,4 @@ private:
     std::vector<char> border_;
 };
 
-} // namespace wm3d::attack
+} // namespace wm3d

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "neighbours.hpp"
+#include <wm3d/mesh/neighbours.hpp>
 
 #include <algorithm>
 
-namespace wm3d::attack {
+namespace wm3d {
 
 namespace {
 
@@ -58,4 +58,4 @@ Neighbours::Neighbours(const TriangleMesh& mesh) : first_(mesh.positions.size() 
         neighbour_[next[e.a]++] = e.b;
 }
 
-} // namespace wm3d::attack
+} // namespace wm3d
