@@ -230,6 +230,8 @@ std::string command_line(const BenchArguments& arguments) {
                                    limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
     if (!arguments.attacks.empty())
         text += " --attacks " + arguments.attacks;
+    if (arguments.setting.vertices != pipeline::default_vertices)
+        text += fmt::format(" --vertices {}", arguments.setting.vertices);
     if (arguments.setting.assisted)
         text += " --reference";
     return text + fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
@@ -248,6 +250,24 @@ bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary,
     return true;
 }
 
+ordered_json to_json(const BenchTable& table) {
+    return {{"size", pipeline::to_string(table.size)},
+            {"log10_target", table.log10_target},
+            {"cells", table.filled()},
+            {"missed", table.missed()}};
+}
+
+ordered_json to_json(const WrongKeys& wrong) {
+    ordered_json counts = ordered_json::array();
+    for (const WrongKeyCount& count : wrong.counts)
+        counts.push_back({{"pf", count.pf},
+                          {"found", count.family},
+                          {"p_found", count.family_excess},
+                          {"found_in_one", count.one},
+                          {"p_found_in_one", count.one_strays}});
+    return {{"keys", wrong.keys}, {"counts", counts}, {"p_uniformity", wrong.uniformity}};
+}
+
 void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeline::BenchResults& results,
              Output& output) {
     if (draw_heat_map(arguments, summary, output))
@@ -258,15 +278,13 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeli
     for (const BenchTable& table : summary.tables) {
         output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n", size_text(table.size),
                                  table.filled() - table.missed(), table.filled(), table.log10_target));
-        tables.push_back({{"size", pipeline::to_string(table.size)},
-                          {"log10_target", table.log10_target},
-                          {"cells", table.filled()},
-                          {"missed", table.missed()}});
+        tables.push_back(to_json(table));
     }
     output.say(fmt::format("Wrote the summary to {}.", (fs::path(arguments.out) / "summary.md").string()));
     output.print_json({{"out", arguments.out},
                        {"items", results.items.size()},
                        {"tables", tables},
+                       {"wrong_keys", to_json(summary.wrong)},
                        {"not_examined", summary.unusable}});
 }
 
@@ -318,6 +336,9 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--wrong-keys", arguments.setting.wrong_keys, "Wrong keys to try on every attacked copy [20]")
         ->option_text("N")
         ->check(whole_number_between(0, 1'000'000));
+    app.add_option("--vertices", arguments.setting.vertices, "Vertices of base domains, as of `mark` and `verify` [20000]")
+        ->option_text("N")
+        ->check(number_between(4, 1e8));
     app.add_flag("--reference", arguments.setting.assisted, "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");
 }

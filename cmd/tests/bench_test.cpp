@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline/bench.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <wm3d/mesh/error.hpp>
+#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/shapes.hpp>
+
+#include "bench_heat_map.hpp"
+#include "bench_summary.hpp"
+#include "pipeline/bench_log.hpp"
+#include "published_figures.hpp"
+
+using namespace wm3d;
+using namespace wm3d::cmd;
+using namespace wm3d::pipeline;
+
+namespace {
+
+using Unit = MarkSize::Unit;
+
+/// A file that goes away.
+struct TemporaryFile {
+    std::string path = fmt::format("{}/wm3d-bench-{}", std::filesystem::temp_directory_path().string(), ::getpid());
+    TemporaryFile() { std::filesystem::remove(path); }
+    ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+BenchItem found(double log10_p) {
+    BenchItem item;
+    item.log10_p = log10_p;
+    return item;
+}
+
+MarkName mark_name(const std::string& model, const MarkSize& size, std::size_t key) {
+    MarkName name;
+    name.model = model;
+    name.size = size;
+    name.key = key;
+    return name;
+}
+
+ItemName item_name(const MarkName& mark, const std::string& attack) {
+    ItemName name;
+    name.mark = mark;
+    name.attack = attack;
+    return name;
+}
+
+/// Two models, two keys, three attacks.
+BenchResults example() {
+    BenchResults results;
+    const MarkSize size{Unit::mrms, 0.02};
+    for (const char* model : {"b.ply", "a.obj"}) {
+        results.models[model] = {"0123456789abcdef", 1000, 2000, ""};
+        for (std::size_t key : {0u, 1u}) {
+            const MarkName mark = mark_name(model, size, key);
+            results.marks[mark] = {0.021, 0.03, 0.021, 0.018 + 0.001 * static_cast<double>(key), 0.2, ""};
+            results.items[item_name(mark, "noise:0.3")] = found(key == 0 ? -20 : -4);
+            results.items[item_name(mark, "bend:5+noise:0.3")] = found(-30);
+            results.items[item_name(mark, "file")] = found(-50);
+        }
+    }
+    BenchItem failed;
+    failed.error = "nothing is left";
+    results.items[item_name(mark_name("b.ply", size, 0), "cropping:50")] = failed;
+    results.models["c.stl"] = {"", 0, 0, "c.stl: no mesh"};
+    return results;
+}
+
+BenchSetting example_setting() {
+    BenchSetting setting;
+    setting.sizes = {{Unit::mrms, 0.02}};
+    return setting;
+}
+
+} // namespace
+
+TEST_CASE("bit error rates of 64 bits have the false-positive probabilities of the binomial distribution") {
+    // math.log10(sum(math.comb(64, k) for k in range(b + 1)) / 2**64) of Python for b = 0, 5, 8, 13 errors
+    CHECK(log10_false_positive(0) == doctest::Approx(-19.265919722494797).epsilon(1e-12));
+    CHECK(log10_false_positive(0.078) == doctest::Approx(-12.34665157630605).epsilon(1e-12));
+    CHECK(log10_false_positive(0.125) == doctest::Approx(-9.555746523993037).epsilon(1e-12));
+    CHECK(log10_false_positive(0.203) == doctest::Approx(-6.02664993771021).epsilon(1e-12));
+    CHECK(log10_false_positive(1) == doctest::Approx(0));
+    CHECK(published_rates("noise:0.5", Protocol::geometric)->wang == 0.40);
+    CHECK(published_rates("noise:0.5", Protocol::perceptual)->cho == 0.28);
+    CHECK_FALSE(published_rates("bend:5", Protocol::geometric));
+}
+
+TEST_CASE("every attack with published figures is one of the default list") {
+    std::vector<std::string> names;
+    for (const AttackChain& chain : default_attacks())
+        names.push_back(attack::to_string(chain));
+    std::size_t published = 0;
+    for (const std::string& name : names)
+        published += published_rates(name, Protocol::geometric).has_value();
+    CHECK(published == 18);
+}
+
+TEST_CASE("a cell holds the worst of its keys, attacks stand in the benchmark's order") {
+    const BenchTable table = bench_table(example(), {Unit::mrms, 0.02}, -6);
+    CHECK(table.models == std::vector<std::string>{"a.obj", "b.ply"});
+    CHECK(table.attacks == std::vector<std::string>{"file", "noise:0.3", "cropping:50", "bend:5+noise:0.3"});
+    const BenchCell& noise = table.cells[1][0];
+    CHECK(noise.keys == 2);
+    CHECK(noise.missed == 1);
+    CHECK(noise.worst_log10_p == -4);
+    CHECK(noise.worst_key == 1);
+    CHECK(table.cells[2][1].error == "nothing is left");
+    CHECK(table.cells[2][1].keys == 0);
+    CHECK(table.filled() == 6);
+    CHECK(table.missed() == 2);
+    CHECK(table.marks[0].largest_mrms == doctest::Approx(0.019));
+    CHECK(table.assisted.empty());
+    CHECK(bench_table(example(), {Unit::strength, 0.02}, -6).models.empty());
+}
+
+TEST_CASE("a p that is no number counts as missed") {
+    BenchResults results = example();
+    results.items[item_name(mark_name("a.obj", {Unit::mrms, 0.02}, 0), "file")].log10_p = NAN;
+    CHECK(bench_table(results, {Unit::mrms, 0.02}, -6).cells[0][0].missed == 1);
+}
+
+TEST_CASE("the summary shows misses as plainly as hits") {
+    const BenchSummary summary = summarize(example(), example_setting(), {-6});
+    const std::string text = bench_markdown(summary);
+    for (const char* part : {"**-4.0**", "-50.0", "- noise:0.3: a (1 of 2 keys, worst -4.0), b (1 of 2 keys, worst -4.0)",
+                             "- cropping:50: b (no copy to examine: nothing is left)", "- c.stl: c.stl: no mesh",
+                             "4 of 6 cells reach -6", "0.29 (-3.1)"})
+        CHECK_MESSAGE(text.find(part) != std::string::npos, part);
+    const reporting::HeatMap map = bench_heat_map(summary.tables);
+    CHECK(map.rows.size() == 4);
+    CHECK(map.groups[0].cells[1][0].alarm);
+    CHECK_FALSE(map.groups[0].cells[0][0].alarm);
+    CHECK(map.groups[0].cells[2][0].empty);
+}
+
+TEST_CASE("the table for programs has a line for every item") {
+    const std::string csv = bench_csv(example());
+    CHECK(std::ranges::count(csv, '\n') == 1 + 13);
+    CHECK(csv.find("b.ply,mrms,0.02,0,cropping:50,0.021,0.018,0.2,,,,,,,,,,nothing is left\n") != std::string::npos);
+}
+
+TEST_CASE("wrong keys are judged by the binomial distribution") {
+    BenchResults results;
+    BenchItem& item = results.items[item_name(mark_name("a.obj", {}, 0), "file")];
+    for (int k = 1; k <= 1000; ++k) {
+        item.wrong.push_back(std::log10(std::min(1.0, k / 500.0)));
+        item.wrong_one.push_back(std::log10((k - 0.5) / 1000.0));
+    }
+    const WrongKeys fair = count_wrong_keys(results);
+    CHECK(fair.keys == 1000);
+    CHECK(fair.counts[0].family == 50);
+    CHECK(fair.counts[0].family_excess > 0.999);
+    CHECK(fair.counts[0].one == 100);
+    CHECK(fair.counts[0].one_strays > 0.9);
+    CHECK(fair.uniformity > 0.999);
+    for (double& x : item.wrong_one)
+        x -= 0.2; // each p too small
+    for (double& x : item.wrong)
+        x -= 0.6;
+    const WrongKeys foul = count_wrong_keys(results);
+    CHECK(foul.counts[0].family_excess < 1e-9);
+    CHECK(foul.counts[0].one_strays < 1e-6);
+    CHECK(foul.uniformity < 1e-6);
+}
+
+TEST_CASE("results come back from the file, without a line that was cut off") {
+    const TemporaryFile file;
+    const nlohmann::ordered_json settings{{"seed", 1}};
+    const ItemName name = item_name(mark_name("a.obj", {Unit::mrms, 0.02}, 3), "noise:0.3");
+    BenchItem item = found(-12.5);
+    item.wrong = {-0.25, -1};
+    item.assisted = AssistedResult{-40, true, 0.5};
+    {
+        BenchLog log(file.path, settings);
+        log.add("a.obj", {"0123", 10, 20, ""});
+        log.add("a.obj", {"0123", 10, 20, ""});
+        log.add(name.mark, {0.02, 0.03, 0.02, 0.019, NAN, ""});
+        log.add(name, item);
+    }
+    const auto whole = std::filesystem::file_size(file.path);
+    std::ofstream(file.path, std::ios::app) << "{\"kind\":\"item\",\"mod";
+    {
+        BenchLog log(file.path, settings);
+        const BenchResults& back = log.results();
+        CHECK(back.models.at("a.obj").triangles == 20);
+        CHECK(back.marks.at(name.mark).mrms == 0.019);
+        CHECK(std::isnan(back.marks.at(name.mark).msdm2));
+        CHECK(back.items.at(name).log10_p == -12.5);
+        CHECK(back.items.at(name).wrong == item.wrong);
+        CHECK(back.items.at(name).assisted->coverage == 0.5);
+        CHECK_THROWS_WITH_AS(log.add("a.obj", {"4567", 10, 20, ""}), doctest::Contains("another mesh"), InputError);
+    }
+    CHECK(std::filesystem::file_size(file.path) == whole);
+    CHECK_THROWS_WITH_AS(BenchLog(file.path, {{"seed", 2}}), doctest::Contains("seed is 1 there and 2 here"), InputError);
+    std::ofstream(file.path, std::ios::app) << "no JSON\n";
+    CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 5"), InputError);
+}
+
+TEST_CASE("results are the same at any number of threads, and only what lacks is done") {
+    const TriangleMesh mesh = shapes::blob(3000, 5);
+    BenchSetting setting;
+    setting.sizes = {{Unit::mrms, 0.2}};
+    setting.attacks = {attack::parse_chain("noise:0.1"), attack::parse_chain("cropping:10+flips:20")};
+    setting.keys = 2;
+    setting.wrong_keys = 3;
+    const auto bench = [&](std::size_t threads, std::size_t expected) {
+        const TemporaryFile file;
+        const ThreadLimit limit(threads);
+        BenchLog log(file.path, {});
+        const BenchWork work = missing_work("blob", setting, log.results());
+        std::size_t done = 0;
+        run_bench(mesh, setting, work, log, [&] { ++done; });
+        CHECK(done == expected);
+        CHECK(missing_work("blob", setting, log.results()).items.empty());
+        setting.keys = 3;
+        CHECK(missing_work("blob", setting, log.results()).items.size() == 2);
+        setting.keys = 2;
+        return log.results();
+    };
+    const BenchResults one = bench(1, 4), many = bench(0, 4);
+    REQUIRE(one.items.size() == 4);
+    for (const auto& [name, item] : one.items) {
+        CAPTURE(name.attack);
+        CHECK(item.error.empty());
+        CHECK(item.log10_p == many.items.at(name).log10_p);
+        CHECK(item.wrong == many.items.at(name).wrong);
+        CHECK(item.wrong.size() == 3);
+    }
+    for (const auto& [name, mark] : one.marks) {
+        CHECK(mark.mrms <= 0.2);
+        CHECK(mark.mrms >= 0.99 * 0.2);
+        CHECK(mark.strength == many.marks.at(name).strength);
+    }
+}
