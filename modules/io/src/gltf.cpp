@@ -10,9 +10,9 @@
 #include "document.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_file.hpp"
+#include "gltf_primitive.hpp"
 #include "gltf_scene.hpp"
 #include "gltf_store.hpp"
-#include "polygons.hpp"
 
 namespace wm3d::io {
 
@@ -20,8 +20,6 @@ namespace {
 
 /// Instances multiply a small file; this bounds what a hostile one can make of itself.
 constexpr std::size_t most_slots = std::size_t{1} << 26;
-
-constexpr std::size_t mode_triangles = 4, mode_strip = 5, mode_fan = 6;
 
 class SceneReader {
 public:
@@ -47,15 +45,14 @@ private:
         for (const Json& primitive : gltf_array(source(), mesh, "primitives")) {
             if (!primitive.is_object())
                 source().fail(fmt::format("a primitive of mesh {} is no object", placed.mesh));
-            const std::size_t mode = gltf_size(source(), primitive, "mode", mode_triangles);
-            if (mode < mode_triangles || mode > mode_fan)
-                continue; // points and lines are no surface
+            if (!gltf_is_surface(source(), primitive))
+                continue;
             const std::size_t accessor = position_accessor(primitive, placed.mesh);
             const std::size_t block = block_of(accessor);
             const auto [slot, is_new] = first_slots.try_emplace(block, document_.positions.size());
             if (is_new)
                 add_instance(block, placed.placement);
-            add_triangles(primitive, mode, slot->second, blocks_[block].accessor.count);
+            add_triangles(primitive, slot->second, blocks_[block].accessor.count);
         }
     }
 
@@ -103,28 +100,15 @@ private:
         }
     }
 
-    void add_triangles(const Json& primitive, std::size_t mode, std::size_t first_slot, std::size_t vertices) {
-        std::vector<Index> corners;
-        if (primitive.contains("indices")) {
-            corners = gltf_indices(file_, gltf_size(source(), primitive, "indices", 0), vertices);
-        } else {
-            for (std::size_t i = 0; i < vertices; ++i)
-                corners.push_back(static_cast<Index>(i));
-        }
-        for (Index& corner : corners)
-            corner += static_cast<Index>(first_slot);
+    void add_triangles(const Json& primitive, std::size_t first_slot, std::size_t vertices) {
         std::vector<Triangle>& triangles = document_.triangles;
-        if (triangles.size() + corners.size() > 4 * most_slots)
-            source().fail("its instances show more triangles than wm3d takes");
-        if (mode == mode_strip) {
-            append_strip(corners, triangles);
-        } else if (mode == mode_fan) {
-            for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-                triangles.push_back({corners[0], corners[i], corners[i + 1]});
-        } else {
-            for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-                triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+        for (Triangle triangle : gltf_triangles(file_, primitive, vertices)) {
+            for (Index& corner : triangle)
+                corner += static_cast<Index>(first_slot);
+            triangles.push_back(triangle);
         }
+        if (triangles.size() > 4 * most_slots)
+            source().fail("its instances show more triangles than wm3d takes");
     }
 
     /// Accessors that share some bytes but not all could not be changed one by one.

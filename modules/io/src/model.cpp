@@ -11,12 +11,15 @@
 #include <wm3d/mesh/weld.hpp>
 
 #include "document.hpp"
+#include "normals.hpp"
 
 namespace wm3d::io {
 
 struct Model::Impl {
     Format format = Format::obj;
+    std::string name;
     std::string bytes;
+    Resolver resolver;
     Welded welded;
     std::unique_ptr<CoordinateStore> store;
 
@@ -37,10 +40,16 @@ std::vector<Vec3> Model::stored_positions(std::span<const Vec3> wanted) const {
     return impl_->store->settle(impl_->welding(), wanted);
 }
 
-std::string Model::patched(std::span<const Vec3> wanted) const { return patched_files(wanted, {}).bytes; }
+std::string Model::patched(std::span<const Vec3> wanted, Normals normals) const {
+    return patched_files(wanted, {}, normals).bytes;
+}
 
-PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view output_name) const {
-    return impl_->store->patch(impl_->welding(), wanted, output_name);
+PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view output_name, Normals normals) const {
+    PatchedFiles files = impl_->store->patch(impl_->welding(), wanted, output_name);
+    if (normals == Normals::keep)
+        return files;
+    return with_turned_normals(std::move(files), impl_->format, {impl_->name, impl_->bytes}, impl_->welding(),
+                               impl_->resolver, output_name);
 }
 
 Vec3 largest_coordinates(const TriangleMesh& mesh) {
@@ -91,7 +100,9 @@ Model parse(std::string bytes, Format format, std::string name, const Resolver& 
     auto impl = std::make_unique<Model::Impl>();
     impl->format = format;
     impl->bytes = std::move(bytes);
-    const Source source{std::move(name), impl->bytes};
+    impl->name = std::move(name);
+    impl->resolver = resolver;
+    const Source source{impl->name, impl->bytes};
     if (source.bytes.empty())
         source.fail("the file is empty");
     refuse_other_format(source, format);

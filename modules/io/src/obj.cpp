@@ -13,6 +13,7 @@
 #include <wm3d/mesh/parallel.hpp>
 
 #include "document.hpp"
+#include "obj_lines.hpp"
 #include "polygons.hpp"
 #include "text.hpp"
 
@@ -155,21 +156,6 @@ void for_each_piece(std::vector<Piece>& pieces, F&& read) {
             std::rethrow_exception(piece.error);
 }
 
-/// The bytes with every backslash that continues a line, and that line's end, blanked: same offsets.
-std::string join_continued_lines(std::string_view bytes) {
-    std::string joined(bytes);
-    for (std::size_t at = joined.find('\\'); at != std::string::npos; at = joined.find('\\', at + 1)) {
-        std::size_t end = at + 1;
-        if (end < joined.size() && joined[end] == '\r')
-            ++end;
-        if (end < joined.size() && joined[end] == '\n')
-            ++end;
-        if (end > at + 1)
-            std::memset(joined.data() + at, ' ', end - at);
-    }
-    return joined;
-}
-
 void append(Polygons& all, const Polygons& part) {
     const std::size_t before = all.corners.size();
     all.corners.insert(all.corners.end(), part.corners.begin(), part.corners.end());
@@ -207,6 +193,20 @@ Document read_statements(const Source& source, std::string_view original) {
 }
 
 } // namespace
+
+std::string join_continued_lines(std::string_view bytes) {
+    std::string joined(bytes);
+    for (std::size_t at = joined.find('\\'); at != std::string::npos; at = joined.find('\\', at + 1)) {
+        std::size_t end = at + 1;
+        if (end < joined.size() && joined[end] == '\r')
+            ++end;
+        if (end < joined.size() && joined[end] == '\n')
+            ++end;
+        if (end > at + 1)
+            std::memset(joined.data() + at, ' ', end - at);
+    }
+    return joined;
+}
 
 Document read_obj(const Source& source) {
     if (const std::size_t zero = source.bytes.find('\0'); zero != std::string_view::npos)

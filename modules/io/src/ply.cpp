@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "document.hpp"
+#include "normals.hpp"
 #include "ply_header.hpp"
 #include "polygons.hpp"
 #include "text.hpp"
@@ -13,10 +14,11 @@ namespace wm3d::io {
 
 namespace {
 
-/// The three properties that hold a vertex's coordinates.
+/// The three properties that hold a vertex's coordinates, or those of its normal.
 struct CoordinateProperties {
     std::array<std::size_t, 3> number{};
     std::size_t first = 0, last = 0;
+    bool finite = true; ///< whether they have to be
 };
 
 /// Walks a text body.
@@ -43,7 +45,8 @@ public:
         for (std::size_t p = xyz.first; p <= xyz.last; ++p) {
             const auto k = static_cast<std::size_t>(std::find(xyz.number.begin(), xyz.number.end(), p) - xyz.number.begin());
             if (k < 3)
-                position[static_cast<int>(k)] = scan_.number("a vertex coordinate", offsets[k]);
+                position[static_cast<int>(k)] = xyz.finite ? scan_.number("a vertex coordinate", offsets[k])
+                                                           : scan_.any_number("a normal", offsets[k]);
             else
                 skip(element.properties[p].type, 1);
         }
@@ -100,10 +103,10 @@ public:
             fail(fmt::format("{} should follow, but the file ends; it is cut short or damaged",
                              count == 1 ? "a value" : fmt::format("{} values", count)));
     }
-    Vec3 coordinates(const PlyElement&, const CoordinateProperties&) {
+    Vec3 coordinates(const PlyElement&, const CoordinateProperties& xyz) {
         expect(coordinates_size_, Scalar::u8);
         const Vec3 position = store_->add(at_);
-        if (!position.allFinite())
+        if (xyz.finite && !position.allFinite())
             fail("a vertex coordinate is not finite; wm3d needs finite coordinates");
         at_ += coordinates_size_;
         return position;
@@ -211,22 +214,36 @@ const PlyElement& find_vertex_element(const Source& source, const PlyHeader& hea
     return *found;
 }
 
-CoordinateProperties find_coordinates(const Source& source, const PlyElement& vertex) {
+using Names = std::array<std::string_view, 3>;
+constexpr Names position_names{"x", "y", "z"}, normal_names{"nx", "ny", "nz"};
+
+/// The first of the names that no number of the vertices has.
+std::optional<std::string_view> missing_name(const PlyElement& vertex, const Names& names) {
+    for (std::string_view name : names)
+        if (const auto p = vertex.find(name); !p || vertex.properties[*p].is_list())
+            return name;
+    return std::nullopt;
+}
+
+/// \pre  no name is missing
+CoordinateProperties find_numbers(const Source& source, const PlyElement& vertex, const Names& names) {
     CoordinateProperties xyz;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::string_view name = std::string_view("xyz").substr(k, 1);
-        const auto p = vertex.find(name);
-        if (!p || vertex.properties[*p].is_list())
-            source.fail(fmt::format("its vertices have no number {}, so there are no positions", name));
-        xyz.number[k] = *p;
-    }
+    for (std::size_t k = 0; k < 3; ++k)
+        xyz.number[k] = *vertex.find(names[k]);
     xyz.first = *std::min_element(xyz.number.begin(), xyz.number.end());
     xyz.last = *std::max_element(xyz.number.begin(), xyz.number.end());
     for (std::size_t p = xyz.first; p <= xyz.last; ++p)
         if (vertex.properties[p].is_list())
-            source.fail("a list stands between x, y and z of its vertices, which wm3d does not read; save the file "
-                        "with x, y and z together");
+            source.fail(fmt::format("a list stands between {0}, {1} and {2} of its vertices, which wm3d does not read; "
+                                    "save the file with {0}, {1} and {2} together",
+                                    names[0], names[1], names[2]));
     return xyz;
+}
+
+CoordinateProperties find_coordinates(const Source& source, const PlyElement& vertex) {
+    if (const auto missing = missing_name(vertex, position_names))
+        source.fail(fmt::format("its vertices have no number {}, so there are no positions", *missing));
+    return find_numbers(source, vertex, position_names);
 }
 
 /// Refuses counts that the file is too short for, before anything is allocated.
@@ -243,9 +260,8 @@ void check_counts(const Source& source, const PlyHeader& header) {
 }
 
 template <typename Body>
-Document read_body(const Source& source, const PlyHeader& header) {
-    const PlyElement& vertex = find_vertex_element(source, header);
-    const CoordinateProperties xyz = find_coordinates(source, vertex);
+Document read_body(const Source& source, const PlyHeader& header, const PlyElement& vertex,
+                   const CoordinateProperties& xyz) {
     check_counts<Body>(source, header);
     Body body(source, header, vertex, xyz);
     Document document;
@@ -272,12 +288,30 @@ Document read_body(const Source& source, const PlyHeader& header) {
     return document;
 }
 
+Document read_encoded(const Source& source, const PlyHeader& header, const PlyElement& vertex,
+                      const CoordinateProperties& xyz) {
+    return header.encoding == PlyEncoding::ascii ? read_body<TextBody>(source, header, vertex, xyz)
+                                                 : read_body<BinaryBody>(source, header, vertex, xyz);
+}
+
 } // namespace
 
 Document read_ply(const Source& source) {
     const PlyHeader header = read_ply_header(source);
-    return header.encoding == PlyEncoding::ascii ? read_body<TextBody>(source, header)
-                                                 : read_body<BinaryBody>(source, header);
+    const PlyElement& vertex = find_vertex_element(source, header);
+    return read_encoded(source, header, vertex, find_coordinates(source, vertex));
+}
+
+std::optional<NormalTable> ply_normals(const Source& patched) {
+    const PlyHeader header = read_ply_header(patched);
+    const PlyElement& vertex = find_vertex_element(patched, header);
+    if (missing_name(vertex, normal_names))
+        return std::nullopt;
+    CoordinateProperties numbers = find_numbers(patched, vertex, normal_names);
+    numbers.finite = false;
+    // Read as positions would be: the "positions" of this document are the normals.
+    Document document = read_encoded(patched, header, vertex, numbers);
+    return NormalTable{std::move(document.positions), std::move(document.store)};
 }
 
 } // namespace wm3d::io

@@ -8,6 +8,7 @@
 
 #include "binary.hpp"
 #include "document.hpp"
+#include "normals.hpp"
 #include "text.hpp"
 
 namespace wm3d::io {
@@ -56,6 +57,12 @@ class TextReader {
 public:
     explicit TextReader(const Source& source) : scan_(source, 0), store_(std::make_unique<TextStore>(source.bytes)) {}
 
+    /// Reads the normals too; without this they may be anything.
+    void collect(std::vector<Vec3>& normals, TextStore& store) {
+        normals_ = &normals;
+        normal_store_ = &store;
+    }
+
     Document run() {
         for (std::string_view word = scan_.word(); !word.empty(); word = scan_.word()) {
             if (!in_solid_)
@@ -85,10 +92,20 @@ private:
     }
     void expect_next(std::string_view wanted) { expect(scan_.word(), wanted); }
 
+    void read_normal() {
+        if (normals_ == nullptr) {
+            for (int k = 0; k < 3; ++k)
+                scan_.word(); // kept as it stands; some programs write nan here
+            return;
+        }
+        std::array<std::size_t, 3> offsets{};
+        normals_->push_back(scan_.any_vector("a normal", offsets));
+        normal_store_->add(offsets);
+    }
+
     void read_facet() {
         expect_next("normal");
-        for (int k = 0; k < 3; ++k)
-            scan_.word(); // kept as it stands; some programs write nan here
+        read_normal();
         expect_next("outer");
         expect_next("loop");
         for (int corner = 0; corner < 3; ++corner) {
@@ -107,6 +124,8 @@ private:
     TextScanner scan_;
     std::unique_ptr<TextStore> store_;
     Document document_;
+    std::vector<Vec3>* normals_ = nullptr;
+    TextStore* normal_store_ = nullptr;
     bool in_solid_ = false;
 };
 
@@ -116,16 +135,44 @@ bool looks_like_text(std::string_view bytes) {
            bytes.substr(0, 512).find('\0') == std::string_view::npos;
 }
 
+/// Facets that the header of a binary file counts.
+std::size_t counted_facets(const Source& source) {
+    return source.bytes.size() < header_size
+               ? 0
+               : static_cast<std::size_t>(load(source.bytes.data() + 80, Scalar::u32, swaps(std::endian::little)));
+}
+
+bool is_binary(const Source& source) {
+    return source.bytes.size() >= header_size &&
+           source.bytes.size() == header_size + counted_facets(source) * facet_size;
+}
+
 } // namespace
+
+NormalTable stl_normals(const Source& patched) {
+    NormalTable table;
+    if (!is_binary(patched)) {
+        auto store = std::make_unique<TextStore>(patched.bytes);
+        TextReader reader(patched);
+        reader.collect(table.values, *store);
+        reader.run();
+        table.store = std::move(store);
+        return table;
+    }
+    BinaryStore::Layout layout;
+    layout.swap = swaps(std::endian::little);
+    auto store = std::make_unique<BinaryStore>(patched.bytes, layout);
+    for (std::size_t f = 0; f < counted_facets(patched); ++f)
+        table.values.push_back(store->add(header_size + f * facet_size));
+    table.store = std::move(store);
+    return table;
+}
 
 Document read_stl(const Source& source) {
     const std::size_t size = source.bytes.size();
-    std::size_t facets = 0;
-    if (size >= header_size) {
-        facets = static_cast<std::size_t>(load(source.bytes.data() + 80, Scalar::u32, swaps(std::endian::little)));
-        if (size == header_size + facets * facet_size)
-            return read_binary(source, facets);
-    }
+    const std::size_t facets = counted_facets(source);
+    if (is_binary(source))
+        return read_binary(source, facets);
     if (looks_like_text(source.bytes))
         return TextReader(source).run();
     if (size < header_size)

@@ -76,6 +76,13 @@ std::string_view TextScanner::word() {
 }
 
 double TextScanner::number(std::string_view what, std::size_t& start) {
+    const double value = any_number(what, start);
+    if (!std::isfinite(value))
+        source_.fail_in_line(start, fmt::format("{} is not finite; wm3d needs finite coordinates", what));
+    return value;
+}
+
+double TextScanner::any_number(std::string_view what, std::size_t& start) {
     skip_space();
     start = at_;
     const char* const base = source_.bytes.data();
@@ -87,10 +94,13 @@ double TextScanner::number(std::string_view what, std::size_t& start) {
             source_.fail(fmt::format("the file ends where {} should be; it seems to be cut short", what));
         source_.fail_in_line(start, fmt::format("\"{}\" is no number for {}", word().substr(0, 30), what));
     }
-    if (!std::isfinite(value))
-        source_.fail_in_line(start, fmt::format("{} is not finite; wm3d needs finite coordinates", what));
     at_ = static_cast<std::size_t>(stop - base);
     return value;
+}
+
+Vec3 TextScanner::any_vector(std::string_view what, std::array<std::size_t, 3>& starts) {
+    const double x = any_number(what, starts[0]), y = any_number(what, starts[1]);
+    return {x, y, any_number(what, starts[2])};
 }
 
 std::int64_t TextScanner::integer(std::string_view what, std::int64_t least) {

@@ -34,6 +34,10 @@ public:
     /// Reads a finite number, skipping space first; sets `start` to where it begins.
     /// \throw InputError  naming `what` if there is none
     double number(std::string_view what, std::size_t& start);
+    /// As `number`, but nan and inf are numbers too.
+    double any_number(std::string_view what, std::size_t& start);
+    /// Three of `any_number`.
+    Vec3 any_vector(std::string_view what, std::array<std::size_t, 3>& starts);
     /// Reads a whole number >= `least`, skipping space first.
     std::int64_t integer(std::string_view what, std::int64_t least);
 

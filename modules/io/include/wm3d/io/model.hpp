@@ -28,6 +28,12 @@ struct PatchedFiles {
     std::vector<SideFile> side_files;
 };
 
+/// What becomes of normals that a file stores when its positions are patched.
+enum class Normals {
+    keep, ///< every byte of them
+    turn, ///< each turns as its faces do, so that creases and smoothing stay as they were; shading follows the surface
+};
+
 struct Document;
 
 /// A mesh file that was read. A *slot* is one stored vertex (a `v` line, a facet corner, a vertex of one
@@ -59,11 +65,13 @@ public:
     /// The whole file with the vertices at `wanted`, #V. Bytes of coordinates that don't change and all bytes
     /// outside coordinates stay. A changed external buffer of glTF is put inline (a `data:` URI).
     /// \pre  wanted.size() == #V, all finite
-    std::string patched(std::span<const Vec3> wanted) const;
+    /// \throw InputError  with Normals::turn, if the normals can't be understood
+    std::string patched(std::span<const Vec3> wanted, Normals normals = Normals::keep) const;
 
     /// As `patched`, for writing under `output_name`: a changed external buffer becomes a side file
     /// STEM.bin (STEM-1.bin, ... for further ones), STEM being `output_name` without folder and extension.
-    PatchedFiles patched_files(std::span<const Vec3> wanted, std::string_view output_name) const;
+    PatchedFiles patched_files(std::span<const Vec3> wanted, std::string_view output_name,
+                               Normals normals = Normals::keep) const;
 
 private:
     struct Impl;
