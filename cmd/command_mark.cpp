@@ -27,6 +27,7 @@ struct MarkArguments {
     MeshFiles files;
     std::string key;
     std::string receipt;
+    std::string normals = "keep";
     pipeline::MarkOptions options;
     bool automatic = false; ///< find the strength
     double pm = 1e-6;       ///< for `automatic`
@@ -66,6 +67,13 @@ void write_receipt(const io::Model& model, const pipeline::Marked& marked, const
     const resync::Receipt receipt =
         pipeline::make_receipt(model.mesh(), marked, key, original, files.bytes, output.progress());
     io::write_file(arguments.receipt, resync::to_text(receipt), {.overwrite = arguments.files.overwrite});
+}
+
+/// The marked file; what goes to a stream has no files beside it.
+io::PatchedFiles patched(const io::Model& model, const pipeline::Marked& marked, const MarkArguments& arguments) {
+    const auto normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
+    const std::string_view name = arguments.files.output == "-" ? std::string_view() : arguments.files.output;
+    return model.patched_files(marked.positions, name, normals);
 }
 
 /// Reads the bytes that are about to be written, as verify would read the file.
@@ -171,8 +179,7 @@ int run(const MarkArguments& arguments, Output& output) {
     warn_if_too_coarse(model, marked, output);
     warn_if_ambiguous(model, arguments, output);
     const bool to_stream = arguments.files.output == "-";
-    const io::PatchedFiles files = to_stream ? io::PatchedFiles{model.patched(marked.positions), {}}
-                                             : model.patched_files(marked.positions, arguments.files.output);
+    const io::PatchedFiles files = patched(model, marked, arguments);
 
     pipeline::VerifyOptions check_options;
     check_options.pf = arguments.options.pf;
@@ -231,6 +238,9 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));
+    app.add_option("--normals", arguments.normals, "Stored normals: keep, or recompute for the marked surface [keep]")
+        ->option_text("MODE")
+        ->check(CLI::IsMember({"keep", "recompute"}));
     app.add_option("--receipt", arguments.receipt,
                    "Also write what finds cut or ambiguous copies again without the original")
         ->option_text("FILE");

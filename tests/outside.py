@@ -2,6 +2,7 @@
 """The executable among other programs: terminals, pipes, damaged files. outside.py WM3D TestClass"""
 import fcntl
 import json
+import math
 import os
 import pathlib
 import pty
@@ -127,6 +128,23 @@ class Pipes(InFolder):
         self.assertNotIn(b"schema", target.read_bytes())
 
 
+def facets(path):
+    """(normal, corners) of every facet of a binary STL file."""
+    data = path.read_bytes()
+    for at in range(84, len(data), 50):
+        numbers = struct.unpack_from("<12f", data, at)
+        yield numbers[:3], (numbers[3:6], numbers[6:9], numbers[9:])
+
+
+def area_vector(corners):
+    (ax, ay, az), (bx, by, bz) = ([p - o for p, o in zip(point, corners[0])] for point in corners[1:])
+    return ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+
+
+def cosine(a, b):
+    return sum(map(float.__mul__, a, b)) / (math.hypot(*a) * math.hypot(*b))
+
+
 class Marking(InFolder):
     def test_a_mesh_too_small_leaves_nothing_behind(self):
         source, key, target = self.sample(2000), self.key(), self.folder / "marked.ply"
@@ -147,6 +165,20 @@ class Marking(InFolder):
         done = wm3d("verify", self.sample(), "--key", self.key(), "--exit-zero", "--json")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn(b'"verdict": "absent"', done.stdout)
+
+    def test_normals_are_kept_or_recomputed(self):
+        source, key = self.sample(8000, "stl"), self.key()
+        for mode in ("keep", "recompute"):
+            marked = self.folder / f"{mode}.stl"
+            done = wm3d("mark", source, "-o", marked, "--key", key, "--strength", "0.1", "--normals", mode)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(wm3d("verify", marked, "--key", key).returncode, 0)
+        kept, recomputed = (list(facets(self.folder / f"{mode}.stl")) for mode in ("keep", "recompute"))
+        self.assertEqual([normal for normal, _ in kept], [normal for normal, _ in facets(source)])
+        self.assertEqual([corners for _, corners in kept], [corners for _, corners in recomputed])
+        for normal, corners in recomputed:
+            self.assertGreater(cosine(normal, area_vector(corners)), 0.99999)
+        self.assertLess(min(cosine(normal, area_vector(corners)) for normal, corners in kept), 0.999)
 
     def test_the_receipt_knows_its_two_files(self):
         key, receipt = self.key(), self.folder / "receipt"
