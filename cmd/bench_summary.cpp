@@ -36,8 +36,10 @@ Protocol protocol_of(const BenchTable& table) {
     return mrms < 0.04 ? Protocol::geometric : Protocol::perceptual;
 }
 
-std::string rate_text(double rate) {
-    return fmt::format("{:.2f} ({:.1f})", rate, log10_false_positive(rate));
+std::string rate_text(double rate, double log10_target) {
+    const double log10_pf = log10_false_positive(rate);
+    const char* bold = log10_pf > log10_target ? "**" : "";
+    return fmt::format("{:.2f} ({}{:.1f}{})", rate, bold, log10_pf, bold);
 }
 
 std::string attack_table(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells, bool published) {
@@ -54,8 +56,8 @@ std::string attack_table(const BenchTable& table, const std::vector<std::vector<
             continue;
         if (published) {
             const auto rates = published_rates(table.attacks[a], protocol_of(table));
-            row.push_back(rates ? rate_text(rates->cho) : "");
-            row.push_back(rates ? rate_text(rates->wang) : "");
+            row.push_back(rates ? rate_text(rates->cho, table.log10_target) : "");
+            row.push_back(rates ? rate_text(rates->wang, table.log10_target) : "");
         }
         text.rows.push_back(std::move(row));
     }
@@ -137,7 +139,8 @@ std::string introduction(const BenchSummary& summary) {
         "probability, at most, that a random key scores like this on that copy. Cho 2007 and Wang 2011 are published "
         "bit error rates of 64 bits in the model Venus at a like distortion, and in parentheses log10 of the "
         "probability that random bits agree as well.\n\nMade by wm3d {} with seed {}:\n\n    {}\n\n",
-        summary.keys, summary.keys == 1 ? "" : "s", summary.version, summary.seed, summary.command);
+        summary.keys, summary.keys == 1 ? "" : "s", summary.version, summary.seed,
+        fmt::join(summary.commands, "\n    "));
     if (!summary.heat_map.empty())
         text += fmt::format("![log10 p of the worst key by attack and model]({})\n\n", summary.heat_map);
     return text;
@@ -150,6 +153,7 @@ BenchSummary summarize(const BenchResults& results, const BenchSetting& setting,
     BenchSummary summary;
     for (std::size_t s = 0; s < setting.sizes.size(); ++s)
         summary.tables.push_back(bench_table(results, setting.sizes[s], log10_targets[s]));
+    summary.commands = results.commands;
     summary.wrong = count_wrong_keys(results);
     for (const auto& [name, model] : results.models)
         if (!model.error.empty())

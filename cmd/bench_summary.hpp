@@ -13,7 +13,7 @@ struct BenchSummary {
     std::vector<BenchTable> tables; ///< one for each size of marks
     WrongKeys wrong;
     std::vector<std::string> unusable; ///< "FILE: why", of models that could not be read or marked
-    std::string command;               ///< that makes these results again
+    std::vector<std::string> commands; ///< that make these results again
     std::string version;
     std::uint64_t seed = 1;
     std::size_t keys = 0; ///< of the model that has most

@@ -48,8 +48,12 @@ std::vector<pipeline::MarkSize> sizes_of(const BenchArguments& arguments) {
     const bool limited = !arguments.mrms.empty();
     const std::string text = limited ? arguments.mrms : arguments.strengths;
     std::vector<pipeline::MarkSize> sizes;
-    for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02")))
-        sizes.push_back({limited ? Unit::mrms : Unit::strength, value});
+    for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02"))) {
+        const pipeline::MarkSize size{limited ? Unit::mrms : Unit::strength, value};
+        if (std::ranges::find(sizes, size) != sizes.end())
+            throw ParameterError(fmt::format("--{}: {} is named twice; name it once", limited ? "mrms" : "strengths", value));
+        sizes.push_back(size);
+    }
     return sizes;
 }
 
@@ -72,7 +76,9 @@ std::vector<pipeline::AttackChain> attacks_of(const BenchArguments& arguments) {
         return pipeline::default_attacks();
     std::vector<pipeline::AttackChain> chains;
     for (const pipeline::NamedDamage& damage : pipeline::parse_damages(arguments.attacks))
-        chains.push_back(attack::parse_chain(damage.name));
+        if (pipeline::AttackChain chain = attack::parse_chain(damage.name);
+            std::ranges::find(chains, chain) == chains.end())
+            chains.push_back(std::move(chain));
     for (const pipeline::AttackChain& chain : chains)
         for (const attack::AttackSpec& spec : chain)
             if (!std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)->available)
@@ -91,7 +97,6 @@ ordered_json settings_of(const pipeline::BenchSetting& setting) {
             {"seed", setting.seed},
             {"sizes", sizes},
             {"wrong_keys", setting.wrong_keys},
-            {"reference", setting.assisted},
             {"vertices", setting.vertices},
             {"levels", setting.parameters.levels},
             {"rmax", setting.parameters.rmax}};
@@ -201,6 +206,7 @@ bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipe
     pipeline::BenchModel model;
     const std::optional<io::Model> file = read_model(path, model);
     log.add(name, model);
+    output.detail(fmt::format("{}: {} items to do", name, work.items.size()));
     if (file) {
         try {
             pipeline::run_bench(file->mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
@@ -299,6 +305,7 @@ int run(BenchArguments arguments, Output& output) {
     const std::vector<fs::path> models = models_of(arguments);
     make_folder(arguments.out);
     pipeline::BenchLog log((fs::path(arguments.out) / "items.jsonl").string(), settings_of(setting));
+    log.add_command(command_line(arguments));
     Countdown countdown(items_left(models, setting, log.results()), output.progress());
     std::size_t readable = 0;
     for (const fs::path& path : models)
@@ -306,7 +313,6 @@ int run(BenchArguments arguments, Output& output) {
     if (readable == 0)
         throw InputError("none of the models can be examined; the warnings say why");
     BenchSummary summary = summarize(log.results(), setting, targets);
-    summary.command = command_line(arguments);
     summary.version = WM3D_VERSION;
     deliver(arguments, summary, log.results(), output);
     return exit_done;

@@ -78,7 +78,7 @@ class Resume(outside.InFolder):
         self.finish("twice", keys=1, attacks="noise:0.2")
         after = (results / "items.jsonl").read_bytes()
         self.assertTrue(after.startswith(before))
-        self.assertEqual(after.count(b"\n"), before.count(b"\n") + 2)
+        self.assertEqual(after.count(b"\n"), before.count(b"\n") + 3)  # two items and the command line
         summary = (results / "summary.md").read_text()
         self.assertIn("| noise:0.1 |", summary)
         self.assertIn("| noise:0.2 |", summary)

@@ -218,6 +218,12 @@ void run_size(const ModelBench& bench, const BenchWork& work, const MarkSize& si
     });
 }
 
+/// Whether an item is still to be made, or to be made anew for what the original tells.
+bool lacks(const BenchResults& done, const ItemName& name, bool assisted) {
+    const auto found = done.items.find(name);
+    return found == done.items.end() || (assisted && !found->second.assisted && found->second.error.empty());
+}
+
 } // namespace
 
 std::vector<AttackChain> default_attacks() {
@@ -245,7 +251,7 @@ BenchWork missing_work(const std::string& model, const BenchSetting& setting, co
                 continue;
             const std::size_t before = work.items.size();
             for (const AttackChain& chain : setting.attacks)
-                if (ItemName item{mark, attack::to_string(chain)}; !done.items.contains(item))
+                if (ItemName item{mark, attack::to_string(chain)}; lacks(done, item, setting.assisted))
                     work.items.push_back(std::move(item));
             if (known == done.marks.end() || work.items.size() > before)
                 work.marks.push_back(mark);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline/bench_log.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -139,7 +140,7 @@ BenchItem item_of(const ordered_json& json) {
 /// "NAME is X there and Y here" of a setting that differs; empty if none does.
 std::string first_difference(const ordered_json& there, const ordered_json& here) {
     for (const auto& [name, value] : here.items()) {
-        const ordered_json& other = there.at(name);
+        const ordered_json other = there.contains(name) ? there.at(name) : ordered_json(); // an older version's
         if (other != value)
             return fmt::format("{} is {} there and {} here", name, other.dump(), value.dump());
     }
@@ -172,12 +173,21 @@ void BenchLog::read(const ordered_json& line, std::size_t number, const ordered_
         return;
     }
     const std::string kind = line.at("kind").get<std::string>();
-    if (kind == "model")
+    if (kind == "command")
+        results_.commands.push_back(line.at("command").get<std::string>());
+    else if (kind == "model")
         results_.models[line.at("model").get<std::string>()] = model_of(line);
     else if (kind == "mark")
         results_.marks[mark_name_of(line)] = mark_of(line);
     else
         results_.items[{mark_name_of(line), line.at("attack").get<std::string>()}] = item_of(line);
+}
+
+void BenchLog::add_command(const std::string& command) {
+    if (std::ranges::find(results_.commands, command) != results_.commands.end())
+        return;
+    lines_.append({{"kind", "command"}, {"command", command}});
+    results_.commands.push_back(command);
 }
 
 void BenchLog::add(const std::string& name, BenchModel model) {

@@ -12,8 +12,8 @@
 
 namespace wm3d::pipeline {
 
-/// A file of lines: the first holds the settings that all results depend on, every other a model, a mark or an
-/// item. Results may be added from several threads.
+/// A file of lines: the first holds the settings that all results depend on, every other a command line, a model, a
+/// mark or an item. Of several lines about the same thing the last counts.
 class BenchLog {
 public:
     /// Opens or creates the file.
@@ -23,6 +23,9 @@ public:
 
     /// What is there. Not to be read while other threads add to it.
     const BenchResults& results() const { return results_; }
+
+    /// A command line that adds to the results. One that is there is not written again. \throw OutputError
+    void add_command(const std::string& command);
 
     /// A model that is there as it is now is not written again.
     /// \throw InputError   if the file holds results of another mesh under this name

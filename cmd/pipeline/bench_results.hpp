@@ -85,6 +85,7 @@ struct BenchItem {
 };
 
 struct BenchResults {
+    std::vector<std::string> commands; ///< command lines that made the results, each once
     std::map<std::string, BenchModel> models;
     std::map<MarkName, BenchMark> marks;
     std::map<ItemName, BenchItem> items;

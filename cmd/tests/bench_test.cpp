@@ -134,7 +134,7 @@ TEST_CASE("the summary shows misses as plainly as hits") {
     const std::string text = bench_markdown(summary);
     for (const char* part : {"**-4.0**", "-50.0", "- noise:0.3: a (1 of 2 keys, worst -4.0), b (1 of 2 keys, worst -4.0)",
                              "- cropping:50: b (no copy to examine: nothing is left)", "- c.stl: c.stl: no mesh",
-                             "4 of 6 cells reach -6", "0.29 (-3.1)"})
+                             "4 of 6 cells reach -6", "0.29 (**-3.1**)"})
         CHECK_MESSAGE(text.find(part) != std::string::npos, part);
     const reporting::HeatMap map = bench_heat_map(summary.tables);
     CHECK(map.rows.size() == 4);
@@ -182,6 +182,8 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     item.assisted = AssistedResult{-40, true, 0.5};
     {
         BenchLog log(file.path, settings);
+        log.add_command("wm3d bench");
+        log.add_command("wm3d bench");
         log.add("a.obj", {"0123", 10, 20, ""});
         log.add("a.obj", {"0123", 10, 20, ""});
         log.add(name.mark, {0.02, 0.03, 0.02, 0.019, NAN, ""});
@@ -192,6 +194,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     {
         BenchLog log(file.path, settings);
         const BenchResults& back = log.results();
+        CHECK(back.commands == std::vector<std::string>{"wm3d bench"});
         CHECK(back.models.at("a.obj").triangles == 20);
         CHECK(back.marks.at(name.mark).mrms == 0.019);
         CHECK(std::isnan(back.marks.at(name.mark).msdm2));
@@ -203,7 +206,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     CHECK(std::filesystem::file_size(file.path) == whole);
     CHECK_THROWS_WITH_AS(BenchLog(file.path, {{"seed", 2}}), doctest::Contains("seed is 1 there and 2 here"), InputError);
     std::ofstream(file.path, std::ios::app) << "no JSON\n";
-    CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 5"), InputError);
+    CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 6"), InputError);
 }
 
 TEST_CASE("results are the same at any number of threads, and only what lacks is done") {
@@ -225,6 +228,9 @@ TEST_CASE("results are the same at any number of threads, and only what lacks is
         setting.keys = 3;
         CHECK(missing_work("blob", setting, log.results()).items.size() == 2);
         setting.keys = 2;
+        setting.assisted = true; // the same copies, with the original
+        CHECK(missing_work("blob", setting, log.results()).items.size() == 4);
+        setting.assisted = false;
         return log.results();
     };
     const BenchResults one = bench(1, 4), many = bench(0, 4);
