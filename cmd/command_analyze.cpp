@@ -112,12 +112,12 @@ key::PublicParameters parameters_of(const std::optional<key::Key>& key) {
     return key ? key->parameters() : key::PublicParameters{};
 }
 
-pipeline::TrialSetting setting_of(const AnalyzeArguments& arguments, const std::optional<key::Key>& key,
-                                  std::size_t vertices) {
+pipeline::TrialSetting setting_of(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
+                                  const std::optional<key::Key>& key, std::size_t vertices) {
     pipeline::TrialSetting setting;
     setting.vertices = vertices;
     setting.parameters = parameters_of(key);
-    setting.level = arguments.level.value_or(pipeline::default_level(setting.parameters));
+    setting.level = arguments.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
     return setting;
 }
 
@@ -206,7 +206,7 @@ AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMes
                                std::filesystem::path(display_name(arguments.files.input)).filename().string(),
                                damage.damage ? " after " + damage.name : "");
     for (std::size_t n : vertices_of(arguments)) {
-        pipeline::TrialSetting setting = setting_of(arguments, key, n);
+        pipeline::TrialSetting setting = setting_of(arguments, mesh, key, n);
         setting.damage = damage.damage;
         const pipeline::TrialBench bench(mesh, std::move(setting), output.progress());
         require_base(arguments, bench, n);
@@ -273,7 +273,7 @@ int recommend(const AnalyzeArguments& arguments, const TriangleMesh& mesh, const
     if (vertices.size() != 1)
         throw ParameterError("--recommend takes one number of --vertices");
     const pipeline::Recommendation advice = pipeline::recommend(
-        mesh, setting_of(arguments, key, vertices.front()), requirement, output.progress());
+        mesh, setting_of(arguments, mesh, key, vertices.front()), requirement, output.progress());
     output.print(sentence(advice, requirement));
     reporting::Table table{{"after", "log10 P_m"}, {}};
     for (const pipeline::Outcome& outcome : advice.outcomes)

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -113,6 +114,7 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
             {"output", arguments.files.output},
             {"key", key.fingerprint()},
             {"base_vertices", marked.base_vertices},
+            {"profile", arguments.options.profile == pipeline::Profile::robust && !arguments.options.gamma ? "robust" : "paper"},
             {"level", marked.level},
             {"rmax", marked.rmax},
             {"gamma", marked.gamma},
@@ -154,7 +156,7 @@ pipeline::MarkOptions resolved_options(const MarkArguments& arguments, const Tri
     pipeline::TrialSetting setting;
     setting.vertices = options.vertices;
     setting.parameters = key.parameters();
-    setting.level = options.level.value_or(pipeline::default_level(setting.parameters));
+    setting.level = options.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
     const pipeline::Recommendation advice =
         pipeline::recommend(mesh, setting, requirement, output.progress());
     if (!advice.reached)
@@ -232,9 +234,14 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
-    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5]")
+    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5, fewer on small meshes]")
         ->option_text("L")
         ->check(number_between(0, sphere::max_level));
+    app.add_option("--profile", options.profile,
+                   "How the strength is laid out: robust, shaped for the detector, or paper, eq. (3) alone [robust]")
+        ->option_text("NAME")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Profile>{
+            {"robust", pipeline::Profile::robust}, {"paper", pipeline::Profile::paper}}));
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));

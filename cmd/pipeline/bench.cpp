@@ -32,12 +32,13 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& text) {
 class ModelBench {
 public:
     ModelBench(const TriangleMesh& mesh, const BenchSetting& setting, const Progress& progress)
-        : mesh_(mesh), setting_(setting), level_(default_level(setting.parameters)),
+        : mesh_(mesh), setting_(setting), level_(default_level(setting.parameters, mesh.positions.size())),
           marker_(mesh, setting.vertices, progress) {}
 
     TriangleMesh marked(const MarkName& name, double strength, BenchMark& figures) const {
-        const Marked marked = marker_.mark(key::null_secret(setting_.seed, name.key), level_,
-                                           setting_.parameters.rmax, strength);
+        const Marked marked = marker_.mark(
+            key::null_secret(setting_.seed, name.key),
+            {level_, setting_.parameters.rmax, strength, std::nullopt, setting_.profile});
         figures.strength = strength;
         figures.gamma = marked.gamma;
         figures.normal_rms = percent(marked.distortion, marked.diagonal).normal_rms;

@@ -12,6 +12,7 @@
 
 #include "pipeline/bench_results.hpp"
 #include "pipeline/defaults.hpp"
+#include "pipeline/mark.hpp"
 
 namespace wm3d::pipeline {
 
@@ -25,6 +26,7 @@ struct BenchSetting {
     std::uint64_t seed = 1;      ///< of keys and attacks
     bool assisted = false;       ///< also examine with the original at hand
     std::size_t vertices = default_vertices;
+    Profile profile = Profile::robust;
     key::PublicParameters parameters{}; ///< of every key
 };
 

@@ -140,7 +140,8 @@ BenchItem item_of(const ordered_json& json) {
 /// "NAME is X there and Y here" of a setting that differs; empty if none does.
 std::string first_difference(const ordered_json& there, const ordered_json& here) {
     for (const auto& [name, value] : here.items()) {
-        const ordered_json other = there.contains(name) ? there.at(name) : ordered_json(); // an older version's
+        const ordered_json other =
+            there.contains(name) ? there.at(name) : ordered_json(); // an older version's
         if (other != value)
             return fmt::format("{} is {} there and {} here", name, other.dump(), value.dump());
     }
@@ -165,11 +166,13 @@ void BenchLog::read(const ordered_json& line, std::size_t number, const ordered_
                     const std::string& path) {
     if (number == 1) {
         if (line.at("schema") != schema)
-            throw InputError(fmt::format("{}: these results are of another version; name another folder", path));
+            throw InputError(
+                fmt::format("{}: these results are of another version; name another folder", path));
         if (const std::string difference = first_difference(line.at("settings"), header.at("settings"));
             !difference.empty())
-            throw InputError(fmt::format("{}: these results were made with other settings: {}; name another folder",
-                                         path, difference));
+            throw InputError(
+                fmt::format("{}: these results were made with other settings: {}; name another folder", path,
+                            difference));
         return;
     }
     const std::string kind = line.at("kind").get<std::string>();
@@ -199,9 +202,10 @@ void BenchLog::add(const std::string& name, BenchModel model) {
             model.triangles = known.triangles;
         }
         if (!known.fingerprint.empty() && known.fingerprint != model.fingerprint)
-            throw InputError(fmt::format("{}: these results of {} belong to another mesh; name another folder, or the "
-                                         "model otherwise",
-                                         lines_.path(), name));
+            throw InputError(
+                fmt::format("{}: these results of {} belong to another mesh; name another folder, or the "
+                            "model otherwise",
+                            lines_.path(), name));
         if (known.fingerprint == model.fingerprint && known.error == model.error)
             return;
     }

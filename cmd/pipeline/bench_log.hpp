@@ -12,8 +12,8 @@
 
 namespace wm3d::pipeline {
 
-/// A file of lines: the first holds the settings that all results depend on, every other a command line, a model, a
-/// mark or an item. Of several lines about the same thing the last counts.
+/// A file of lines: the first holds the settings that all results depend on, every other a command line, a
+/// model, a mark or an item. Of several lines about the same thing the last counts.
 class BenchLog {
 public:
     /// Opens or creates the file.

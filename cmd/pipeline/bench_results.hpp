@@ -76,9 +76,10 @@ struct BenchItem {
     unsigned level = 0;
     std::size_t pose = 0;
     double filter_t = 0, filter_power = 0;
-    std::size_t vertices = 0;       ///< of the attacked mesh
-    std::vector<double> wrong;      ///< log10 p of wrong keys, family-wise
-    std::vector<double> wrong_one;  ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
+    std::size_t vertices = 0;  ///< of the attacked mesh
+    std::vector<double> wrong; ///< log10 p of wrong keys, family-wise
+    std::vector<double>
+        wrong_one; ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
     std::optional<AssistedResult> assisted;
     double seconds = 0;
     std::string error; ///< why there is nothing to examine; else empty

@@ -12,9 +12,11 @@
 
 namespace wm3d::pipeline {
 
-unsigned default_level(const key::PublicParameters& parameters) {
-    constexpr int preferred = 5;
-    const auto distance = [](unsigned level) { return std::abs(static_cast<int>(level) - preferred); };
+unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices) {
+    int preferred = 5;
+    while (preferred > 0 && key::sequence_length(static_cast<unsigned>(preferred)) > vertices)
+        --preferred;
+    const auto distance = [&](unsigned level) { return std::abs(static_cast<int>(level) - preferred); };
     return *std::ranges::min_element(parameters.levels, {}, distance);
 }
 

@@ -27,8 +27,8 @@ std::uintmax_t read_lines(const std::string& path, const std::string& what, cons
         try {
             reader(ordered_json::parse(line), number);
         } catch (const ordered_json::exception&) {
-            throw InputError(fmt::format("{}: line {} is no {}; remove the line, or name a new file", path, number,
-                                         what));
+            throw InputError(
+                fmt::format("{}: line {} is no {}; remove the line, or name a new file", path, number, what));
         }
     }
     return whole;

@@ -13,8 +13,8 @@ namespace wm3d::pipeline {
 
 class JsonLines {
 public:
-    /// Called with each line that is there, numbered from 1. It may throw nlohmann's exceptions, which make an
-    /// InputError of it.
+    /// Called with each line that is there, numbered from 1. It may throw nlohmann's exceptions, which make
+    /// an InputError of it.
     using Reader = std::function<void(const nlohmann::ordered_json& line, std::size_t number)>;
 
     /// Opens or creates the file. A last line that was cut off is dropped. `what` is what a line is called in

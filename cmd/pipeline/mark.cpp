@@ -10,15 +10,17 @@
 #include <wm3d/detect/verdict.hpp>
 #include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/shaping/shaping.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
+#include <wm3d/sphere/sparse_rows.hpp>
 
 namespace wm3d::pipeline {
 
 namespace {
 
-unsigned level_of(const key::Key& key, const MarkOptions& options) {
+unsigned level_of(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options) {
     const std::vector<unsigned>& levels = key.parameters().levels;
-    const unsigned level = options.level.value_or(default_level(key.parameters()));
+    const unsigned level = options.level.value_or(default_level(key.parameters(), mesh.positions.size()));
     if (std::ranges::find(levels, level) == levels.end())
         throw ParameterError(fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
                                          "it; choose one of them or make a key with `keygen --levels`",
@@ -39,10 +41,10 @@ maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices
     return maps::parameterize(canonical, options, progress);
 }
 
-Forecast forecast_on(const Examination& host, const key::Key& key, const MarkOptions& options, double strength) {
+Forecast forecast_on(const Examination& host, unsigned level, const key::Key& key, const MarkOptions& options) {
     Sequences sequences(key.secret(), key.parameters().rmax);
     Forecast result;
-    result.expected_sigmas = host.expected_sigmas(sequences, level_of(key, options), strength);
+    result.expected_sigmas = host.expected_sigmas(sequences, level, options.strength);
     result.predicted_miss =
         detect::predicted_miss(result.expected_sigmas, std::log10(options.pf), host.family().size());
     return result;
@@ -66,7 +68,7 @@ embed::Distortion percent(const embed::Distortion& distortion, double diagonal) 
 Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
                   const Progress& progress) {
     const Examination host(mesh, examination_options(key, options), progress);
-    return forecast_on(host, key, options, options.strength);
+    return forecast_on(host, level_of(mesh, key, options), key, options);
 }
 
 Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress)
@@ -74,28 +76,52 @@ Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& p
       canonical_(to_frame(mesh, frame_)), domain_(base_domain(canonical_, vertices, progress)),
       detailed_(canonical_, domain_.mesh, domain_.point) {}
 
-Marked Marker::mark(const key::Secret& secret, unsigned level, double rmax, double strength,
-                    std::optional<double> gamma) const {
-    const sphere::BumpedSphere bumped(sphere::Icosphere(level), key::watermark_sequence(secret, level, rmax));
-    const std::vector<double> delta = bumped.deltas(domain_.mesh.positions);
-    const auto moved_by = [&](double factor) {
-        return detailed_.reconstruct(embed::mark_base(domain_.mesh.positions, delta, factor));
-    };
+std::vector<Vec3> Marker::bumpy_base(std::span<const double> delta, double gamma) const {
+    return embed::mark_base(domain_.mesh.positions, delta, gamma);
+}
+
+/// The strength is that of the base; the full mesh's differs by what its details hide.
+std::vector<Vec3> Marker::shaped_base(std::span<const double> w, const MarkSetting& setting) const {
+    const TriangleMesh& base = domain_.mesh;
+    const sphere::SparseRows rows = sphere::barycentric_rows(sphere::Icosphere(setting.level), base.positions);
+    const double rms = setting.strength / 100 * diagonal_ / frame_.scale;
+    const double density = static_cast<double>(base.positions.size()) / static_cast<double>(mesh_.positions.size());
+    const std::vector<double> moves = shaping::normal_moves(base, rows, w, rms, density);
+    const std::vector<Vec3> normals = vertex_normals(base);
+    std::vector<Vec3> moved = base.positions;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+        moved[i] += rms * moves[i] * normals[i];
+    return moved;
+}
+
+double Marker::normal_rms(std::span<const Vec3> moved_base) const {
+    return embed::distortion(canonical_, detailed_.reconstruct(moved_base)).normal_rms;
+}
+
+Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
+    const std::vector<Vec3>& base = domain_.mesh.positions;
+    const std::vector<double> w = key::watermark_sequence(secret, setting.level, setting.rmax);
+    const sphere::BumpedSphere bumped(sphere::Icosphere(setting.level), w);
+    const std::vector<double> delta = bumped.deltas(base);
     Marked marked;
-    marked.level = level;
-    marked.rmax = rmax;
+    marked.level = setting.level;
+    marked.rmax = setting.rmax;
     marked.frame = frame_;
     marked.diagonal = diagonal_;
-    marked.base_vertices = domain_.mesh.positions.size();
-    if (gamma) {
-        marked.gamma = *gamma;
-    } else {
-        // The move is linear in gamma: one trial tells the gamma of any strength.
-        constexpr double trial = 1e-3;
-        const double unit_rms = embed::distortion(canonical_, moved_by(trial)).normal_rms / trial;
-        marked.gamma = gamma_of(strength, unit_rms, diagonal_ / frame_.scale);
+    marked.base_vertices = base.size();
+    // The move is linear in gamma: one trial tells the gamma of any strength.
+    constexpr double trial = 1e-3;
+    const double unit = diagonal_ / frame_.scale;
+    marked.gamma = setting.gamma ? *setting.gamma
+                                 : gamma_of(setting.strength, normal_rms(bumpy_base(delta, trial)) / trial, unit);
+    std::vector<Vec3> moved_base = bumpy_base(delta, marked.gamma);
+    if (setting.profile == Profile::robust && !setting.gamma) {
+        moved_base = shaped_base(w, setting);
+        const double factor = setting.strength / 100 * unit / normal_rms(moved_base);
+        for (std::size_t i = 0; i < base.size(); ++i)
+            moved_base[i] = base[i] + factor * (moved_base[i] - base[i]);
     }
-    const std::vector<Vec3> moved = moved_by(marked.gamma);
+    const std::vector<Vec3> moved = detailed_.reconstruct(moved_base);
     marked.positions = mesh_.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
         if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
@@ -105,11 +131,11 @@ Marked Marker::mark(const key::Secret& secret, unsigned level, double rmax, doub
 }
 
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress) {
-    const unsigned level = level_of(key, options); // before any work
+    const unsigned level = level_of(mesh, key, options); // before any work
     const Marker marker(mesh, options.vertices, progress);
     report(progress, "marking", 0);
-    Marked marked = marker.mark(key.secret(), level, options.rmax.value_or(key.parameters().rmax), options.strength,
-                                options.gamma);
+    Marked marked = marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax), options.strength,
+                                               options.gamma, options.profile});
     report(progress, "marking", 1);
     return marked;
 }

@@ -11,10 +11,17 @@
 
 namespace wm3d::pipeline {
 
+/// How the strength is laid out.
+enum class Profile {
+    robust, ///< along the vertex normals, shaped for what the detector sees after attacks
+    paper,  ///< the bumps themselves along the radius, eq. (3)
+};
+
 struct MarkOptions {
+    Profile profile = Profile::robust;
     /// Area-weighted RMS of the move along the surface normal, % of the bounding box's diagonal.
     double strength = default_strength;
-    std::optional<double> gamma;                ///< of eq. (3), instead of a strength
+    std::optional<double> gamma;                ///< of eq. (3), instead of a strength; means the paper's profile
     std::size_t vertices = default_vertices;    ///< of the base domain
     std::optional<unsigned> level;              ///< of the watermarking sphere; must be one of the key's
     std::optional<double> rmax;                 ///< height of the bumps; the key's own if not given
@@ -27,9 +34,18 @@ struct Marked {
     std::size_t base_vertices = 0;
     unsigned level = 0;
     double rmax = 0;
-    double gamma = 0;
+    double gamma = 0; ///< of the bumps of the same strength
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
+};
+
+/// What a mark of a secret depends on besides the mesh.
+struct MarkSetting {
+    unsigned level = 5;
+    double rmax = 0.1;
+    double strength = default_strength; ///< as in MarkOptions
+    std::optional<double> gamma = std::nullopt;
+    Profile profile = Profile::robust;
 };
 
 /// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to outlive it.
@@ -42,13 +58,15 @@ public:
 
     const maps::BaseDomain& domain() const { return domain_; } ///< in the canonical frame
 
-    /// Eq. (3) on the base vertices and reconstruction, with the strength of MarkOptions or else gamma of eq. (3).
-    /// May be called from several threads.
+    /// Moves of the base vertices and reconstruction. May be called from several threads.
     /// \throw GeometryError  if no radial move shows on the mesh
-    Marked mark(const key::Secret& secret, unsigned level, double rmax, double strength,
-                std::optional<double> gamma = std::nullopt) const;
+    Marked mark(const key::Secret& secret, const MarkSetting& setting) const;
 
 private:
+    std::vector<Vec3> bumpy_base(std::span<const double> delta, double gamma) const;
+    std::vector<Vec3> shaped_base(std::span<const double> w, const MarkSetting& setting) const;
+    double normal_rms(std::span<const Vec3> moved_base) const;
+
     const TriangleMesh& mesh_;
     Frame frame_;
     double diagonal_;
@@ -57,7 +75,7 @@ private:
     embed::DetailedMesh detailed_; ///< refers to `domain_`
 };
 
-/// Marks a mesh: base domain by MAPS, eq. (3) on its vertices, reconstruction.
+/// Marks a mesh: base domain by MAPS, eq. (3) or a shaped mark on its vertices, reconstruction.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress = {});

@@ -64,7 +64,8 @@ std::string mesh_fingerprint(const TriangleMesh& mesh) {
 }
 
 TrialLog::TrialLog(const std::string& path, const std::string& fingerprint)
-    : lines_(path, "trial", [&](const ordered_json& line, std::size_t number) { read(line, number, path, fingerprint); }) {
+    : lines_(path, "trial",
+             [&](const ordered_json& line, std::size_t number) { read(line, number, path, fingerprint); }) {
     if (lines_.was_empty())
         lines_.append({{"schema", schema}, {"mesh", fingerprint}});
 }
@@ -75,7 +76,8 @@ void TrialLog::read(const ordered_json& line, std::size_t number, const std::str
         const Trial trial = trial_of(line);
         trials_[line.at("setting").get<std::string>()][trial.number] = trial;
     } else if (line.at("schema") != schema || line.at("mesh") != fingerprint) {
-        throw InputError(fmt::format("{}: these trials belong to another mesh or version; name a new file", path));
+        throw InputError(
+            fmt::format("{}: these trials belong to another mesh or version; name a new file", path));
     }
 }
 

@@ -130,7 +130,8 @@ std::size_t TrialBench::true_pose(const Examination& suspect) const {
 
 Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) const {
     const key::Secret secret = key::null_secret(seed, number);
-    const Marked marked = marker_.mark(secret, setting_.level, setting_.parameters.rmax, strength);
+    const Marked marked = marker_.mark(
+        secret, {setting_.level, setting_.parameters.rmax, strength, std::nullopt, Profile::paper});
     TriangleMesh suspect_mesh{marked.positions, mesh_.triangles};
     if (setting_.damage)
         suspect_mesh = setting_.damage(suspect_mesh, number);

@@ -57,7 +57,7 @@ void decide_whitened(VerifyReport& report, const Examination& suspect, const key
     std::optional<std::size_t> filter;
     if (report.score.log10_p <= std::log10(options.pf) && report.score.best.hypothesis < suspect.family().size())
         filter = suspect.family()[report.score.best.hypothesis].filter;
-    report.expected_sigmas = suspect.expected_sigmas(sequences, default_level(key.parameters()),
+    report.expected_sigmas = suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
                                                      key.parameters().reference_strength, 0, filter);
     report.predicted_miss =
         detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);

@@ -152,6 +152,23 @@ LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows
     return {sphere::multiply_transposed(rows, seen(core_->pull(f, e))), rmax};
 }
 
+std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w) const {
+    std::vector<double> q = core_->high_pass(f, normal_bumps(rows, w));
+    for (std::size_t i = 0; i < q.size(); ++i)
+        q[i] *= core_->weights[f][i];
+    std::vector<Vec3> gradient(q.size());
+    parallel_blocks(3, 1, [&](std::size_t k, std::size_t) {
+        const auto axis = static_cast<Eigen::Index>(k);
+        std::vector<double> along(q.size());
+        for (std::size_t i = 0; i < q.size(); ++i)
+            along[i] = q[i] * core_->normals[i][axis];
+        const std::vector<double> low = core_->surface.low_pass_transposed(core_->options.filters[f].t, along);
+        for (std::size_t i = 0; i < q.size(); ++i)
+            gradient[i][axis] = along[i] - low[i];
+    });
+    return gradient;
+}
+
 double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
                                  double move) const {
     const LinearStatistic own = mark_statistic(f, rows, w, rmax, move);

@@ -57,6 +57,10 @@ public:
     LinearStatistic mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
                                    double rmax, double move) const;
 
+    /// How T of the sequence w grows with the base vertices' moves, #base vectors, to first order and with normals,
+    /// areas and weights held: HP^T (a g HP (diag(d.n) B w)) n. The detector's own template of the mark.
+    std::vector<Vec3> gradient(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w) const;
+
     /// Expected score, in standard deviations of the null distribution, if this very mesh carried the mark of `w`
     /// with an area-weighted root mean square normal move `move` (in units of mean radius). The mark's own residual
     /// widens the null distribution too, which bounds the score however strong the mark.
