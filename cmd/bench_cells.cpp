@@ -51,7 +51,8 @@ void fill_cells(BenchTable& table, const BenchResults& results) {
     table.assisted = table.cells;
     bool any_assisted = false;
     for (const auto& [name, item] : results.items) {
-        const std::size_t a = index_of(table.attacks, name.attack), m = index_of(table.models, name.mark.model);
+        const std::size_t a = index_of(table.attacks, name.attack),
+                          m = index_of(table.models, name.mark.model);
         if (name.mark.size != table.size || m == table.models.size())
             continue;
         BenchCell &blind = table.cells[a][m], &assisted = table.assisted[a][m];
@@ -101,7 +102,8 @@ double upper_tail(std::size_t count, std::size_t trials, double p) {
 }
 
 double lower_tail(std::size_t count, std::size_t trials, double p) {
-    return cdf(boost::math::binomial_distribution<>(static_cast<double>(trials), p), static_cast<double>(count));
+    return cdf(boost::math::binomial_distribution<>(static_cast<double>(trials), p),
+               static_cast<double>(count));
 }
 
 /// Attacks of all items, each once.
@@ -122,14 +124,16 @@ std::vector<std::string> bench_attacks(const BenchResults& results) {
 std::size_t BenchTable::filled() const {
     std::size_t count = 0;
     for (const auto& row : cells)
-        count += static_cast<std::size_t>(std::ranges::count_if(row, [](const BenchCell& c) { return c.keys > 0; }));
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(row, [](const BenchCell& c) { return c.keys > 0; }));
     return count;
 }
 
 std::size_t BenchTable::missed() const {
     std::size_t count = 0;
     for (const auto& row : cells)
-        count += static_cast<std::size_t>(std::ranges::count_if(row, [](const BenchCell& c) { return c.missed > 0; }));
+        count += static_cast<std::size_t>(
+            std::ranges::count_if(row, [](const BenchCell& c) { return c.missed > 0; }));
     return count;
 }
 
@@ -176,8 +180,8 @@ WrongKeys count_wrong_keys(const BenchResults& results) {
         count.family = count_at_most(family, pf);
         count.family_excess = upper_tail(count.family, family.size(), pf);
         count.one = count_at_most(one, pf);
-        count.one_strays =
-            std::min(1.0, 2 * std::min(upper_tail(count.one, one.size(), pf), lower_tail(count.one, one.size(), pf)));
+        count.one_strays = std::min(
+            1.0, 2 * std::min(upper_tail(count.one, one.size(), pf), lower_tail(count.one, one.size(), pf)));
         result.counts.push_back(count);
     }
     result.smallest_log10_p = *std::ranges::min_element(family);

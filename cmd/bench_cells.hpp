@@ -29,11 +29,12 @@ struct BenchMarkRow {
 /// All marks of one size.
 struct BenchTable {
     pipeline::MarkSize size;
-    double log10_target = -9;               ///< p that is to be reached
-    std::vector<std::string> models;        ///< files, in the order of their names
-    std::vector<std::string> attacks;       ///< in the order of the published benchmark, others behind it
-    std::vector<std::vector<BenchCell>> cells;    ///< #attacks by #models
-    std::vector<std::vector<BenchCell>> assisted; ///< the same with the original at hand; empty if not asked for
+    double log10_target = -9;                  ///< p that is to be reached
+    std::vector<std::string> models;           ///< files, in the order of their names
+    std::vector<std::string> attacks;          ///< in the order of the published benchmark, others behind it
+    std::vector<std::vector<BenchCell>> cells; ///< #attacks by #models
+    std::vector<std::vector<BenchCell>>
+        assisted; ///< the same with the original at hand; empty if not asked for
     std::vector<BenchMarkRow> marks;
 
     std::size_t filled() const; ///< cells with at least one key
@@ -43,20 +44,22 @@ struct BenchTable {
 /// How often wrong keys scored at least as well as a probability says, on all attacked copies together.
 struct WrongKeyCount {
     double pf = 0;
-    std::size_t family = 0;    ///< keys whose family-wise p is at most pf
-    double family_excess = 1;  ///< probability of so many or more if each had probability pf
-    std::size_t one = 0;       ///< keys whose p in one hypothesis is at most pf
-    double one_strays = 1;     ///< two-sided probability of a number so far from the expected
+    std::size_t family = 0;   ///< keys whose family-wise p is at most pf
+    double family_excess = 1; ///< probability of so many or more if each had probability pf
+    std::size_t one = 0;      ///< keys whose p in one hypothesis is at most pf
+    double one_strays = 1;    ///< two-sided probability of a number so far from the expected
 };
 
 struct WrongKeys {
     std::size_t keys = 0;
     std::vector<WrongKeyCount> counts; ///< at 0.1, 0.01, 0.001
     double smallest_log10_p = 0;       ///< family-wise
-    double uniformity = 1; ///< Kolmogorov-Smirnov: how likely uniform p stray as far as those in one hypothesis
+    double uniformity =
+        1; ///< Kolmogorov-Smirnov: how likely uniform p stray as far as those in one hypothesis
 };
 
-BenchTable bench_table(const pipeline::BenchResults& results, const pipeline::MarkSize& size, double log10_target);
+BenchTable bench_table(const pipeline::BenchResults& results, const pipeline::MarkSize& size,
+                       double log10_target);
 
 /// "MRMS up to 0.02 %" or "strength 0.019 %".
 std::string size_text(const pipeline::MarkSize& size);

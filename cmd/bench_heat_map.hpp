@@ -10,8 +10,8 @@
 
 namespace wm3d::cmd {
 
-/// Attacks by models, one group of columns for each size of marks; the worst key of each. The darker, the smaller p;
-/// what misses the target stands out.
+/// Attacks by models, one group of columns for each size of marks; the worst key of each. The darker, the
+/// smaller p; what misses the target stands out.
 reporting::HeatMap bench_heat_map(const std::vector<BenchTable>& tables);
 
 } // namespace wm3d::cmd

@@ -42,7 +42,8 @@ std::string rate_text(double rate, double log10_target) {
     return fmt::format("{:.2f} ({}{:.1f}{})", rate, bold, log10_pf, bold);
 }
 
-std::string attack_table(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells, bool published) {
+std::string attack_table(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells,
+                         bool published) {
     reporting::Table text{{"attack"}, {}};
     for (const std::string& model : model_headings(table.models))
         text.columns.push_back(model);
@@ -69,9 +70,10 @@ std::string marks_table(const BenchTable& table) {
     const std::vector<std::string> names = model_headings(table.models);
     for (std::size_t m = 0; m < names.size(); ++m) {
         const BenchMarkRow& row = table.marks[m];
-        text.rows.push_back({names[m], fmt::format("{}", row.vertices), fmt::format("{:.4f}", row.mean_strength),
-                             fmt::format("{:.4f}", row.mean_mrms), fmt::format("{:.4f}", row.largest_mrms),
-                             fmt::format("{:.3f}", row.mean_msdm2), fmt::format("{:.3f}", row.largest_msdm2)});
+        text.rows.push_back({names[m], fmt::format("{}", row.vertices),
+                             fmt::format("{:.4f}", row.mean_strength), fmt::format("{:.4f}", row.mean_mrms),
+                             fmt::format("{:.4f}", row.largest_mrms), fmt::format("{:.3f}", row.mean_msdm2),
+                             fmt::format("{:.3f}", row.largest_msdm2)});
     }
     return reporting::to_markdown(text);
 }
@@ -100,43 +102,50 @@ std::string table_section(const BenchTable& table) {
     std::string text = fmt::format("## Marks of {}\n\n{}\n", size_text(table.size), marks_table(table));
     text += fmt::format("log10 p of the worst key; what stays above {:.4g} is bold and listed below.\n\n{}\n",
                         table.log10_target, attack_table(table, table.cells, true));
-    text += fmt::format("{} of {} cells reach {:.4g} with every key. Missed:\n\n{}\n", table.filled() - table.missed(),
-                        table.filled(), table.log10_target, list_misses(table, table.cells));
+    text += fmt::format("{} of {} cells reach {:.4g} with every key. Missed:\n\n{}\n",
+                        table.filled() - table.missed(), table.filled(), table.log10_target,
+                        list_misses(table, table.cells));
     return text;
 }
 
 std::string assisted_section(const BenchTable& table) {
     if (table.assisted.empty())
         return "";
-    return fmt::format("### With the original at hand\n\nThe same copies, aligned with the unmarked original: log10 p "
-                       "of the worst key.\n\n{}\nMissed:\n\n{}\n",
-                       attack_table(table, table.assisted, false), list_misses(table, table.assisted));
+    return fmt::format(
+        "### With the original at hand\n\nThe same copies, aligned with the unmarked original: log10 p "
+        "of the worst key.\n\n{}\nMissed:\n\n{}\n",
+        attack_table(table, table.assisted, false), list_misses(table, table.assisted));
 }
 
 std::string wrong_section(const WrongKeys& wrong) {
     if (wrong.keys == 0)
         return "";
-    reporting::Table text{{"P_f", "expected at most", "wrong keys found", "as many or more", "in one hypothesis",
-                           "as far from expected"},
+    reporting::Table text{{"P_f", "expected at most", "wrong keys found", "as many or more",
+                           "in one hypothesis", "as far from expected"},
                           {}};
     for (const WrongKeyCount& count : wrong.counts)
         text.rows.push_back({fmt::format("{:g}", count.pf),
                              fmt::format("{:.0f}", count.pf * static_cast<double>(wrong.keys)),
                              fmt::format("{}", count.family), fmt::format("{:.3g}", count.family_excess),
                              fmt::format("{}", count.one), fmt::format("{:.3g}", count.one_strays)});
-    return fmt::format(
-        "## Wrong keys\n\n{} wrong keys were tried on the marked and attacked copies, each on one. Family-wise p is an "
-        "upper bound, so fewer than expected may be found; in one hypothesis p is exact, and as many as expected have "
-        "to be. Beside each count stands its probability if p is what it says.\n\n{}\nThe smallest p of all is "
-        "10^{:.1f}. Uniformity of p in one hypothesis (Kolmogorov-Smirnov): {:.3f}.\n\n",
-        wrong.keys, reporting::to_markdown(text), wrong.smallest_log10_p, wrong.uniformity);
+    return fmt::format("## Wrong keys\n\n{} wrong keys were tried on the marked and attacked copies, each on "
+                       "one. Family-wise p is an "
+                       "upper bound, so fewer than expected may be found; in one hypothesis p is exact, and "
+                       "as many as expected have "
+                       "to be. Beside each count stands its probability if p is what it says.\n\n{}\nThe "
+                       "smallest p of all is "
+                       "10^{:.1f}. Uniformity of p in one hypothesis (Kolmogorov-Smirnov): {:.3f}.\n\n",
+                       wrong.keys, reporting::to_markdown(text), wrong.smallest_log10_p, wrong.uniformity);
 }
 
 std::string introduction(const BenchSummary& summary) {
     std::string text = fmt::format(
-        "# Robustness\n\nEach model is marked with {} random key{}; every marked copy is attacked, then moved, turned and "
-        "scaled at random, and examined blind, as `wm3d verify` does with its defaults. p is family-wise: the "
-        "probability, at most, that a random key scores like this on that copy. Cho 2007 and Wang 2011 are published "
+        "# Robustness\n\nEach model is marked with {} random key{}; every marked copy is attacked, then "
+        "moved, turned and "
+        "scaled at random, and examined blind, as `wm3d verify` does with its defaults. p is family-wise: "
+        "the "
+        "probability, at most, that a random key scores like this on that copy. Cho 2007 and Wang 2011 are "
+        "published "
         "bit error rates of 64 bits in the model Venus at a like distortion, and in parentheses log10 of the "
         "probability that random bits agree as well.\n\nMade by wm3d {} with seed {}:\n\n    {}\n\n",
         summary.keys, summary.keys == 1 ? "" : "s", summary.version, summary.seed,
@@ -160,8 +169,8 @@ BenchSummary summarize(const BenchResults& results, const BenchSetting& setting,
             summary.unusable.push_back(fmt::format("{}: {}", name, model.error));
     for (const auto& [name, mark] : results.marks)
         if (!mark.error.empty())
-            summary.unusable.push_back(fmt::format("{}, {}, key {}: {}", name.model, size_text(name.size), name.key,
-                                                   mark.error));
+            summary.unusable.push_back(
+                fmt::format("{}, {}, key {}: {}", name.model, size_text(name.size), name.key, mark.error));
     summary.seed = setting.seed;
     for (const auto& [name, mark] : results.marks)
         summary.keys = std::max(summary.keys, name.key + 1);
@@ -182,9 +191,9 @@ std::string bench_markdown(const BenchSummary& summary) {
 }
 
 std::string bench_csv(const BenchResults& results) {
-    reporting::Table table{{"model", "size", "size_percent", "key", "attack", "strength_percent", "mrms_percent", "msdm2",
-                            "log10_p", "sigmas", "hypotheses", "level", "pose", "filter_t", "filter_power", "vertices",
-                            "assisted_log10_p", "error"},
+    reporting::Table table{{"model", "size", "size_percent", "key", "attack", "strength_percent",
+                            "mrms_percent", "msdm2", "log10_p", "sigmas", "hypotheses", "level", "pose",
+                            "filter_t", "filter_power", "vertices", "assisted_log10_p", "error"},
                            {}};
     for (const auto& [name, item] : results.items) {
         const BenchMark& mark = results.marks.at(name.mark);

@@ -29,5 +29,4 @@ std::string bench_markdown(const BenchSummary& summary);
 /// A line for every item.
 std::string bench_csv(const pipeline::BenchResults& results);
 
-
 } // namespace wm3d::cmd

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -51,7 +52,8 @@ std::vector<pipeline::MarkSize> sizes_of(const BenchArguments& arguments) {
     for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02"))) {
         const pipeline::MarkSize size{limited ? Unit::mrms : Unit::strength, value};
         if (std::ranges::find(sizes, size) != sizes.end())
-            throw ParameterError(fmt::format("--{}: {} is named twice; name it once", limited ? "mrms" : "strengths", value));
+            throw ParameterError(
+                fmt::format("--{}: {} is named twice; name it once", limited ? "mrms" : "strengths", value));
         sizes.push_back(size);
     }
     return sizes;
@@ -65,9 +67,10 @@ std::vector<double> log10_targets_of(const BenchArguments& arguments, std::size_
     if (targets.size() == 1)
         targets.resize(sizes, targets.front());
     if (targets.size() != sizes)
-        throw ParameterError(fmt::format("--pf: there are {} probabilities for {} sizes of marks; give one, or one for "
-                                         "each size",
-                                         targets.size(), sizes));
+        throw ParameterError(
+            fmt::format("--pf: there are {} probabilities for {} sizes of marks; give one, or one for "
+                        "each size",
+                        targets.size(), sizes));
     return targets;
 }
 
@@ -82,10 +85,15 @@ std::vector<pipeline::AttackChain> attacks_of(const BenchArguments& arguments) {
     for (const pipeline::AttackChain& chain : chains)
         for (const attack::AttackSpec& spec : chain)
             if (!std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)->available)
-                throw ParameterError(fmt::format("--attacks: this build has no attack {}, which needs OpenVDB; leave "
-                                                 "it out, or build with it",
-                                                 spec.name));
+                throw ParameterError(
+                    fmt::format("--attacks: this build has no attack {}, which needs OpenVDB; leave "
+                                "it out, or build with it",
+                                spec.name));
     return chains;
+}
+
+std::string name_of(pipeline::Profile profile) {
+    return profile == pipeline::Profile::robust ? "robust" : "paper";
 }
 
 /// Everything that the results depend on, besides models, keys and attacks, of which more may be added.
@@ -98,6 +106,7 @@ ordered_json settings_of(const pipeline::BenchSetting& setting) {
             {"sizes", sizes},
             {"wrong_keys", setting.wrong_keys},
             {"vertices", setting.vertices},
+            {"profile", name_of(setting.profile)},
             {"levels", setting.parameters.levels},
             {"rmax", setting.parameters.rmax}};
 }
@@ -121,9 +130,10 @@ std::vector<fs::path> models_of(const BenchArguments& arguments) {
         if (fs::is_directory(name, ignored)) {
             const std::vector<fs::path> found = files_of(name);
             if (found.empty())
-                throw InputError(fmt::format("{}: there is no mesh in this folder; its files would end in .obj, .ply, "
-                                             ".stl, .off, .gltf or .glb",
-                                             name));
+                throw InputError(
+                    fmt::format("{}: there is no mesh in this folder; its files would end in .obj, .ply, "
+                                ".stl, .off, .gltf or .glb",
+                                name));
             files.insert(files.end(), found.begin(), found.end());
         } else if (fs::exists(name, ignored)) {
             files.emplace_back(name);
@@ -135,9 +145,10 @@ std::vector<fs::path> models_of(const BenchArguments& arguments) {
     const auto twice =
         std::ranges::adjacent_find(files, {}, [](const fs::path& path) { return path.filename(); });
     if (twice != files.end())
-        throw InputError(fmt::format("{} and {} have the same name, so their results could not be told apart; rename "
-                                     "one",
-                                     twice->string(), std::next(twice)->string()));
+        throw InputError(
+            fmt::format("{} and {} have the same name, so their results could not be told apart; rename "
+                        "one",
+                        twice->string(), std::next(twice)->string()));
     return files;
 }
 
@@ -167,7 +178,8 @@ public:
         ++done_;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         const double seconds = spent.count() / static_cast<double>(done_) * static_cast<double>(left_);
-        report(progress_, fmt::format("{} of {} items, {} left", done_, done_ + left_, duration_text(seconds)),
+        report(progress_,
+               fmt::format("{} of {} items, {} left", done_, done_ + left_, duration_text(seconds)),
                static_cast<double>(done_) / static_cast<double>(done_ + left_));
     }
 
@@ -177,7 +189,8 @@ private:
     static std::string duration_text(double seconds) {
         if (seconds < 90)
             return fmt::format("{:.0f} s", seconds);
-        return seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60) : fmt::format("{:.1f} h", seconds / 3600);
+        return seconds < 5400 ? fmt::format("{:.0f} min", seconds / 60)
+                              : fmt::format("{:.1f} h", seconds / 3600);
     }
 
     std::size_t left_, done_ = 0;
@@ -209,7 +222,8 @@ bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipe
     output.detail(fmt::format("{}: {} items to do", name, work.items.size()));
     if (file) {
         try {
-            pipeline::run_bench(file->mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
+            pipeline::run_bench(
+                file->mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
             return true;
         } catch (const GeometryError& error) {
             model.error = fmt::format("{}: {}", path.string(), error.what());
@@ -231,23 +245,28 @@ std::size_t items_left(const std::vector<fs::path>& models, const pipeline::Benc
 
 std::string command_line(const BenchArguments& arguments) {
     const bool limited = !arguments.mrms.empty();
-    std::string text = fmt::format("wm3d bench --models {} --out {} --{} {} --pf {} --keys {}",
-                                   fmt::join(arguments.models, " "), arguments.out, limited ? "mrms" : "strengths",
-                                   limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
+    std::string text =
+        fmt::format("wm3d bench --models {} --out {} --{} {} --pf {} --keys {}",
+                    fmt::join(arguments.models, " "), arguments.out, limited ? "mrms" : "strengths",
+                    limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
     if (!arguments.attacks.empty())
         text += " --attacks " + arguments.attacks;
     if (arguments.setting.vertices != pipeline::default_vertices)
         text += fmt::format(" --vertices {}", arguments.setting.vertices);
+    if (arguments.setting.profile != pipeline::BenchSetting{}.profile)
+        text += " --profile " + name_of(arguments.setting.profile);
     if (arguments.setting.assisted)
         text += " --reference";
-    return text + fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
+    return text +
+           fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
 }
 
 /// Draws the heat map as SVG and PNG. \return whether gnuplot is there to do it
 bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary, Output& output) {
     if (!reporting::can_render()) {
-        output.warn("there is no heat map, which gnuplot would draw; install it, for example with 'apt-get install "
-                    "gnuplot-nox', and run the same command again");
+        output.warn(
+            "there is no heat map, which gnuplot would draw; install it, for example with 'apt-get install "
+            "gnuplot-nox', and run the same command again");
         return false;
     }
     const reporting::HeatMap map = bench_heat_map(summary.tables);
@@ -282,8 +301,9 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeli
     write_result(arguments, "summary.csv", bench_csv(results));
     ordered_json tables = ordered_json::array();
     for (const BenchTable& table : summary.tables) {
-        output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n", size_text(table.size),
-                                 table.filled() - table.missed(), table.filled(), table.log10_target));
+        output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n",
+                                 size_text(table.size), table.filled() - table.missed(), table.filled(),
+                                 table.log10_target));
         tables.push_back(to_json(table));
     }
     output.say(fmt::format("Wrote the summary to {}.", (fs::path(arguments.out) / "summary.md").string()));
@@ -322,13 +342,15 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--models", arguments.models, "Folder of meshes, or mesh files")
         ->option_text("PATH... (required)")
         ->required();
-    app.add_option("--out", arguments.out, "Folder for results and summary; work that is there is not repeated")
+    app.add_option("--out", arguments.out,
+                   "Folder for results and summary; work that is there is not repeated")
         ->option_text("DIR (required)")
         ->required();
     auto* strengths = app.add_option("--strengths", arguments.strengths,
                                      "Strengths of the marks, as `mark --strength` [0.019,0.075]");
     strengths->option_text("LIST");
-    app.add_option("--mrms", arguments.mrms, "Instead, the largest MRMS that marks may reach, % of the diagonal")
+    app.add_option("--mrms", arguments.mrms,
+                   "Instead, the largest MRMS that marks may reach, % of the diagonal")
         ->option_text("LIST")
         ->excludes(strengths);
     app.add_option("--keys", arguments.setting.keys, "Random keys, each marking every model [5]")
@@ -337,15 +359,24 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--attacks", arguments.attacks,
                    "Attacks joined by commas, as `wm3d attack` names them [the published benchmark and more]")
         ->option_text("LIST");
-    app.add_option("--pf", arguments.pf, "Probability that p is to reach: one, or one for each size of marks [1e-9]")
+    app.add_option("--pf", arguments.pf,
+                   "Probability that p is to reach: one, or one for each size of marks [1e-9]")
         ->option_text("LIST");
-    app.add_option("--wrong-keys", arguments.setting.wrong_keys, "Wrong keys to try on every attacked copy [20]")
+    app.add_option("--wrong-keys", arguments.setting.wrong_keys,
+                   "Wrong keys to try on every attacked copy [20]")
         ->option_text("N")
         ->check(whole_number_between(0, 1'000'000));
-    app.add_option("--vertices", arguments.setting.vertices, "Vertices of base domains, as of `mark` and `verify` [20000]")
+    app.add_option("--vertices", arguments.setting.vertices,
+                   "Vertices of base domains, as of `mark` and `verify` [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
-    app.add_flag("--reference", arguments.setting.assisted, "Also examine with the unmarked original at hand");
+    app.add_option("--profile", arguments.setting.profile,
+                   "How marks are laid out, as of `mark`: robust or paper [robust]")
+        ->option_text("NAME")
+        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Profile>{
+            {"robust", pipeline::Profile::robust}, {"paper", pipeline::Profile::paper}}));
+    app.add_flag("--reference", arguments.setting.assisted,
+                 "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");
 }
 
@@ -362,7 +393,8 @@ Action declare_bench(CLI::App& app) {
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d bench --models scans --out results\n"
                "  wm3d bench --models bunny.ply horse.ply --out results --mrms 0.02,0.08 --pf 1e-6,1e-9\n"
-               "  wm3d bench --models scans --out quick --keys 1 --attacks noise:0.3,smoothing:30,simplification:90");
+               "  wm3d bench --models scans --out quick --keys 1 --attacks "
+               "noise:0.3,smoothing:30,simplification:90");
     return [arguments](Output& output) { return run(*arguments, output); };
 }
 

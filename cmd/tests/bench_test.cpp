@@ -28,7 +28,8 @@ using Unit = MarkSize::Unit;
 
 /// A file that goes away.
 struct TemporaryFile {
-    std::string path = fmt::format("{}/wm3d-bench-{}", std::filesystem::temp_directory_path().string(), ::getpid());
+    std::string path =
+        fmt::format("{}/wm3d-bench-{}", std::filesystem::temp_directory_path().string(), ::getpid());
     TemporaryFile() { std::filesystem::remove(path); }
     ~TemporaryFile() { std::filesystem::remove(path); }
 };
@@ -132,9 +133,10 @@ TEST_CASE("a p that is no number counts as missed") {
 TEST_CASE("the summary shows misses as plainly as hits") {
     const BenchSummary summary = summarize(example(), example_setting(), {-6});
     const std::string text = bench_markdown(summary);
-    for (const char* part : {"**-4.0**", "-50.0", "- noise:0.3: a (1 of 2 keys, worst -4.0), b (1 of 2 keys, worst -4.0)",
-                             "- cropping:50: b (no copy to examine: nothing is left)", "- c.stl: c.stl: no mesh",
-                             "4 of 6 cells reach -6", "0.29 (**-3.1**)"})
+    for (const char* part :
+         {"**-4.0**", "-50.0", "- noise:0.3: a (1 of 2 keys, worst -4.0), b (1 of 2 keys, worst -4.0)",
+          "- cropping:50: b (no copy to examine: nothing is left)", "- c.stl: c.stl: no mesh",
+          "4 of 6 cells reach -6", "0.29 (**-3.1**)"})
         CHECK_MESSAGE(text.find(part) != std::string::npos, part);
     const reporting::HeatMap map = bench_heat_map(summary.tables);
     CHECK(map.rows.size() == 4);
@@ -146,7 +148,8 @@ TEST_CASE("the summary shows misses as plainly as hits") {
 TEST_CASE("the table for programs has a line for every item") {
     const std::string csv = bench_csv(example());
     CHECK(std::ranges::count(csv, '\n') == 1 + 13);
-    CHECK(csv.find("b.ply,mrms,0.02,0,cropping:50,0.021,0.018,0.2,,,,,,,,,,nothing is left\n") != std::string::npos);
+    CHECK(csv.find("b.ply,mrms,0.02,0,cropping:50,0.021,0.018,0.2,,,,,,,,,,nothing is left\n") !=
+          std::string::npos);
 }
 
 TEST_CASE("wrong keys are judged by the binomial distribution") {
@@ -201,10 +204,12 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
         CHECK(back.items.at(name).log10_p == -12.5);
         CHECK(back.items.at(name).wrong == item.wrong);
         CHECK(back.items.at(name).assisted->coverage == 0.5);
-        CHECK_THROWS_WITH_AS(log.add("a.obj", {"4567", 10, 20, ""}), doctest::Contains("another mesh"), InputError);
+        CHECK_THROWS_WITH_AS(log.add("a.obj", {"4567", 10, 20, ""}), doctest::Contains("another mesh"),
+                             InputError);
     }
     CHECK(std::filesystem::file_size(file.path) == whole);
-    CHECK_THROWS_WITH_AS(BenchLog(file.path, {{"seed", 2}}), doctest::Contains("seed is 1 there and 2 here"), InputError);
+    CHECK_THROWS_WITH_AS(BenchLog(file.path, {{"seed", 2}}), doctest::Contains("seed is 1 there and 2 here"),
+                         InputError);
     std::ofstream(file.path, std::ios::app) << "no JSON\n";
     CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 6"), InputError);
 }

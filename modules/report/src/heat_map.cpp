@@ -17,7 +17,8 @@ namespace {
 constexpr double letter = 7.3, row_height = 19, group_gap = 16, margin = 12;
 constexpr double top = 76, bottom = 40; // of title and headings, of the legend
 
-/// Blues from light to dark, of evenly falling lightness; the alarm is an orange that the colour-blind tell from them.
+/// Blues from light to dark, of evenly falling lightness; the alarm is an orange that the colour-blind tell
+/// from them.
 constexpr std::array<std::array<double, 3>, 3> shades{{{226, 238, 247}, {94, 160, 204}, {8, 56, 110}}};
 constexpr const char* alarm_colour = "#F28E2B";
 
@@ -68,10 +69,13 @@ std::string label(const std::string& text, double x, double y, const std::string
 
 std::string draw_cell(const HeatCell& cell, double x, double y, double width) {
     if (cell.empty)
-        return cell.text.empty() ? "" : label(cell.text, x + width / 2, y + row_height / 2, "center textcolor rgb '#808080'");
-    std::string script = fmt::format("set object rectangle from {:.1f},{:.1f} to {:.1f},{:.1f} fillcolor rgb '{}' "
-                                     "fillstyle solid border lc rgb '#FFFFFF'\n",
-                                     x, y, x + width, y + row_height, colour_of(cell));
+        return cell.text.empty()
+                   ? ""
+                   : label(cell.text, x + width / 2, y + row_height / 2, "center textcolor rgb '#808080'");
+    std::string script =
+        fmt::format("set object rectangle from {:.1f},{:.1f} to {:.1f},{:.1f} fillcolor rgb '{}' "
+                    "fillstyle solid border lc rgb '#FFFFFF'\n",
+                    x, y, x + width, y + row_height, colour_of(cell));
     const char* ink = !cell.alarm && cell.shade > 0.65 ? "#FFFFFF" : "#000000";
     return script + label(cell.text, x + width / 2, y + row_height / 2,
                           fmt::format("center front textcolor rgb '{}'", ink));
@@ -96,20 +100,23 @@ HeatSize heat_map_size(const HeatMap& map) {
     double width = rows_width(map) + margin;
     for (const HeatGroup& group : map.groups)
         width += group_width(map, group) + group_gap;
-    const double words = letter * static_cast<double>(std::max(map.title.size(), map.legend.size())) + 2 * margin;
+    const double words =
+        letter * static_cast<double>(std::max(map.title.size(), map.legend.size())) + 2 * margin;
     return {static_cast<int>(std::ceil(std::max(width, words))),
             static_cast<int>(std::ceil(top + bottom + row_height * static_cast<double>(map.rows.size())))};
 }
 
 std::string gnuplot_script(const HeatMap& map, const std::string& terminal) {
     const HeatSize size = heat_map_size(map);
-    std::string script = fmt::format("set terminal {}\nset encoding utf8\nunset border\nunset tics\nunset key\n"
-                                     "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
-                                     "set xrange [0:{}]\nset yrange [{}:0]\n",
-                                     terminal, size.width, size.height);
+    std::string script =
+        fmt::format("set terminal {}\nset encoding utf8\nunset border\nunset tics\nunset key\n"
+                    "set lmargin 0\nset rmargin 0\nset tmargin 0\nset bmargin 0\n"
+                    "set xrange [0:{}]\nset yrange [{}:0]\n",
+                    terminal, size.width, size.height);
     script += label(map.title, margin, 18, "left");
     for (std::size_t r = 0; r < map.rows.size(); ++r)
-        script += label(map.rows[r], rows_width(map) - margin, top + row_height * (static_cast<double>(r) + 0.5), "right");
+        script += label(map.rows[r], rows_width(map) - margin,
+                        top + row_height * (static_cast<double>(r) + 0.5), "right");
     double left = rows_width(map);
     for (const HeatGroup& group : map.groups) {
         script += draw_group(map, group, left);

@@ -19,8 +19,8 @@ std::string terminal_of(Image image, int width, int height, int letters) {
                ? fmt::format("svg size {},{} dynamic enhanced font 'Arial,Helvetica,sans-serif,{}' "
                              "background rgb 'white'",
                              width, height, letters)
-               : fmt::format("pngcairo size {},{} enhanced font 'Sans,{}' background rgb 'white'", width * 3 / 2,
-                             height * 3 / 2, (letters * 9 + 3) / 7);
+               : fmt::format("pngcairo size {},{} enhanced font 'Sans,{}' background rgb 'white'",
+                             width * 3 / 2, height * 3 / 2, (letters * 9 + 3) / 7);
 }
 
 bool drawable(const Plot& plot) {

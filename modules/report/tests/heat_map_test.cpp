@@ -29,8 +29,10 @@ TEST_CASE("shades run from light to dark and the alarm is none of them") {
 }
 
 TEST_CASE("the text of a dark cell is white") {
-    CHECK(contains(gnuplot_script(one_cell({"x", 0.9, false, false}), "svg"), "front textcolor rgb '#FFFFFF'"));
-    CHECK(contains(gnuplot_script(one_cell({"x", 0.1, false, false}), "svg"), "front textcolor rgb '#000000'"));
+    CHECK(
+        contains(gnuplot_script(one_cell({"x", 0.9, false, false}), "svg"), "front textcolor rgb '#FFFFFF'"));
+    CHECK(
+        contains(gnuplot_script(one_cell({"x", 0.1, false, false}), "svg"), "front textcolor rgb '#000000'"));
 }
 
 TEST_CASE("an empty cell has no colour") {
@@ -45,7 +47,7 @@ TEST_CASE("the picture grows with rows, columns and names") {
     const HeatSize taller = heat_map_size(map);
     CHECK(taller.height > size.height);
     CHECK(taller.width >= size.width);
-    map.groups.push_back({"second", std::vector<std::string>(20, "column"),
-                          std::vector(2, std::vector<HeatCell>(20))});
+    map.groups.push_back(
+        {"second", std::vector<std::string>(20, "column"), std::vector(2, std::vector<HeatCell>(20))});
     CHECK(heat_map_size(map).width > taller.width);
 }

@@ -48,7 +48,9 @@ TEST_CASE("gnuplot draws a heat map with every name and value") {
         fmt::print("SKIPPED: gnuplot is not installed\n");
         return;
     }
-    const HeatMap map{"title", "legend", {"noise", "it's"},
+    const HeatMap map{"title",
+                      "legend",
+                      {"noise", "it's"},
                       {{"group", {"bunny"}, {{{"-12.5", 0.3, false, false}}, {{"-1.5", 0, true, false}}}}}};
     const std::string svg = render(map, Image::svg);
     for (const char* part : {"title", "legend", "noise", "it's", "group", "bunny", "-12.5", "-1.5"})
