@@ -36,9 +36,9 @@ public:
           marker_(mesh, setting.vertices, progress) {}
 
     TriangleMesh marked(const MarkName& name, double strength, BenchMark& figures) const {
-        const Marked marked = marker_.mark(
-            key::null_secret(setting_.seed, name.key),
-            {level_, setting_.parameters.rmax, strength, std::nullopt, setting_.profile});
+        const Marked marked =
+            marker_.mark(key::null_secret(setting_.seed, name.key),
+                         {level_, setting_.parameters.rmax, strength, std::nullopt, setting_.profile});
         figures.strength = strength;
         figures.gamma = marked.gamma;
         figures.normal_rms = percent(marked.distortion, marked.diagonal).normal_rms;
@@ -76,8 +76,8 @@ double mrms_percent(const TriangleMesh& a, const TriangleMesh& b) {
     return report.percent(report.mrms);
 }
 
-/// MRMS grows in proportion to the strength but for the second order, so that a few corrections reach the limit
-/// from below.
+/// MRMS grows in proportion to the strength but for the second order, so that a few corrections reach the
+/// limit from below.
 TriangleMesh ModelBench::limited_mark(const MarkName& name, BenchMark& figures) const {
     constexpr double aim = 0.999, near_enough = 0.995;
     constexpr int most_trials = 6;
@@ -89,7 +89,8 @@ TriangleMesh ModelBench::limited_mark(const MarkName& name, BenchMark& figures) 
         if (mrms <= limit && mrms >= near_enough * limit)
             break;
         if (!(mrms > 0))
-            throw GeometryError("the mark doesn't move the surface, so no strength reaches the limit of MRMS");
+            throw GeometryError(
+                "the mark doesn't move the surface, so no strength reaches the limit of MRMS");
         strength *= aim * limit / mrms;
         mesh = marked(name, strength, figures);
     }
@@ -112,8 +113,8 @@ void ModelBench::score_wrong_keys(BenchItem& item, const ItemName& name, const E
     for (std::size_t k = 0; k < setting_.wrong_keys; ++k) {
         Sequences sequences(key::null_secret(seed, k), setting_.parameters.rmax);
         item.wrong.push_back(detect::score_family(suspect.family(), sequences.function()).log10_p);
-        item.wrong_one.push_back(detect::saddlepoint_log10_tail(
-            first.statistic, first.statistic.value(sequences(first.level))));
+        item.wrong_one.push_back(
+            detect::saddlepoint_log10_tail(first.statistic, first.statistic.value(sequences(first.level))));
     }
 }
 
@@ -124,12 +125,13 @@ AssistedResult ModelBench::assisted(const Suspect& suspect, const key::Secret& s
     const Examination examination(suspect, options);
     std::vector<detect::Hypothesis> family(examination.family().begin(), examination.family().end());
     if (!reference.mesh.positions.empty())
-        std::ranges::move(reference_family(reference, options, examination.poses() - 1,
-                                           examination.evidence().filters()),
-                          std::back_inserter(family));
+        std::ranges::move(
+            reference_family(reference, options, examination.poses() - 1, examination.evidence().filters()),
+            std::back_inserter(family));
     Sequences sequences(secret, setting_.parameters.rmax);
     return {detect::score_family(family, sequences.function()).log10_p,
-            reference.known.registration && reference.known.registration->aligned, reference.difference.covered};
+            reference.known.registration && reference.known.registration->aligned,
+            reference.difference.covered};
 }
 
 BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) const {
@@ -164,7 +166,8 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
 }
 
 /// The marked meshes, in the order of `names`; without positions where the mesh can't be marked.
-std::vector<TriangleMesh> make_marks(const ModelBench& bench, const std::vector<MarkName>& names, BenchLog& log) {
+std::vector<TriangleMesh> make_marks(const ModelBench& bench, const std::vector<MarkName>& names,
+                                     BenchLog& log) {
     const std::map<MarkName, BenchMark> known = log.results().marks;
     std::vector<TriangleMesh> meshes(names.size());
     parallel_tasks(names.size(), [&](std::size_t i) {
@@ -231,12 +234,14 @@ std::vector<AttackChain> default_attacks() {
     std::vector<AttackChain> chains;
     for (attack::AttackSpec& spec : attack::published_benchmark())
         chains.push_back({std::move(spec)});
-    for (std::string_view text : {"taubin:10", "flips:30", "delaunay", "remeshing", "voxels:256", "scale:1.02,1,0.98",
-                                  "shear:0.02", "bend:5", "rounding:3,size=100", "quantization:14+simplification:50"})
+    for (std::string_view text :
+         {"taubin:10", "flips:30", "delaunay", "remeshing", "voxels:256", "scale:1.02,1,0.98", "shear:0.02",
+          "bend:5", "rounding:3,size=100", "quantization:14+simplification:50"})
         chains.push_back(attack::parse_chain(text));
     std::erase_if(chains, [](const AttackChain& chain) {
         return std::ranges::any_of(chain, [](const attack::AttackSpec& spec) {
-            return !std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)->available;
+            return !std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)
+                        ->available;
         });
     });
     return chains;

@@ -48,8 +48,8 @@ BenchWork missing_work(const std::string& model, const BenchSetting& setting, co
 /// Called after every item, from one thread at a time.
 using BenchSink = std::function<void()>;
 
-/// Does the work on one mesh and writes the results to the log, on all cores. A mark or an attack that fails is a
-/// result too. The results are the same at any number of threads; their order is not.
+/// Does the work on one mesh and writes the results to the log, on all cores. A mark or an attack that fails
+/// is a result too. The results are the same at any number of threads; their order is not.
 void run_bench(const TriangleMesh& mesh, const BenchSetting& setting, const BenchWork& work, BenchLog& log,
                const BenchSink& sink, const Progress& progress = {});
 
