@@ -15,6 +15,16 @@ namespace {
 constexpr std::size_t block = 4096;
 constexpr std::size_t report_every = 8192;
 
+/// Whether one of the triangles of a ring's centre has the corners a and b besides.
+bool has_triangle(Ring ring, Index a, Index b) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Index one = ring[i].vertex, other = ring[i + 1 == ring.size() ? 0 : i + 1].vertex;
+        if (ring[i].corner != no_index && ((one == a && other == b) || (one == b && other == a)))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 Decimator::Decimator(Rings& rings, Sites& sites, const Options& options, Observer* observer)
@@ -93,15 +103,16 @@ void Decimator::list_choices(Index v) {
 }
 
 /// The link condition: the only vertices next to both ends of the edge are those of its triangles, and no
-/// component is flattened into two faces or lost.
+/// part is flattened into two faces or lost.
 bool Decimator::keeps_topology(Index v, std::size_t place) const {
     const Ring ring = rings_.of(v), around = rings_.of(ring[place].vertex);
     const std::size_t size = ring.size();
     const bool closed = is_closed(ring);
-    if (closed ? size == 3 && around.size() == 3 && is_closed(around) : size == 2 && around.size() == 2)
-        return false; // a tetrahedron, a lone triangle
     const std::size_t after = closed && place + 1 == size ? 0 : place + 1;
     const std::size_t before = place > 0 ? place - 1 : closed ? size - 1 : size;
+    if (closed ? size == 3 && has_triangle(around, ring[after].vertex, ring[before].vertex)
+               : size == 2 && around.size() == 2)
+        return false; // a tetrahedron, perhaps slit along an edge; a lone triangle
     for (std::size_t i = 0; i < size; ++i) {
         if (i == after || i == before)
             continue;
