@@ -38,6 +38,12 @@ pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 wm3d_third_party(tinyobjloader LINK PkgConfig::TINYOBJ)
 target_compile_definitions(wm3d_third_tinyobjloader INTERFACE TINYOBJLOADER_USE_DOUBLE)
 
+# Optional: unpacks what `gltfpack -c` writes.
+find_package(meshoptimizer QUIET)
+if(meshoptimizer_FOUND)
+    wm3d_third_party(meshoptimizer LINK meshoptimizer::meshoptimizer)
+endif()
+
 find_package(Boost 1.74 REQUIRED)
 wm3d_third_party(boost LINK Boost::headers)
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "gltf_meshopt.hpp"
+
 namespace wm3d::io {
 
 namespace {
@@ -26,15 +28,35 @@ bool is_given(const Json& object, const char* key, const T& value) {
     return found != object.end() && *found == Json(value);
 }
 
-void refuse_compression(const GltfFile& file, std::size_t number, const Json& view) {
+/// What tells how a view is packed, if it is.
+const Json* packing(const GltfFile& file, std::size_t number, const Json& view) {
     const auto extensions = view.find("extensions");
     if (extensions == view.end() || !extensions->is_object())
-        return;
-    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-        if (extensions->contains(name))
-            file.source().fail(fmt::format("accessor {} is compressed with {}, which wm3d does not read; save the "
-                                           "file without compression",
-                                           number, name));
+        return nullptr;
+    if (extensions->contains("KHR_meshopt_compression"))
+        file.source().fail(fmt::format("accessor {} is compressed with KHR_meshopt_compression, which wm3d does not read; "
+                                       "save the file without compression",
+                                       number));
+    const auto packed = extensions->find("EXT_meshopt_compression");
+    return packed != extensions->end() && packed->is_object() ? &*packed : nullptr;
+}
+
+/// A part of a buffer.
+struct View {
+    std::size_t buffer = 0, start = 0, length = 0;
+};
+
+/// Where the bytes of a view are, unpacked if need be.
+View resolve_view(GltfFile& file, std::size_t accessor, std::size_t number) {
+    const Source& source = file.source();
+    const Json& view = gltf_entry(source, file.json(), "bufferViews", number);
+    if (const Json* packed = packing(file, accessor, view)) {
+        const std::size_t buffer =
+            file.unpacked_view(number, [&] { return gltf_unpacked(file, number, *packed); });
+        return {buffer, 0, file.buffer(buffer).size()};
+    }
+    return {gltf_size(source, view, "buffer", 0), gltf_size(source, view, "byteOffset", 0),
+            gltf_size(source, view, "byteLength", 0)};
 }
 
 /// The accessor's place, for elements of `components` numbers.
@@ -50,18 +72,17 @@ GltfAccessor resolve(GltfFile& file, std::size_t number, std::size_t components,
         source.fail(fmt::format("accessor {} has no data of its own (compressed or empty), which wm3d does not read; "
                                 "save the file without compression",
                                 number));
-    const Json& view = gltf_entry(source, file.json(), "bufferViews", gltf_size(source, entry, "bufferView", 0));
-    refuse_compression(file, number, view);
+    const std::size_t view_number = gltf_size(source, entry, "bufferView", 0);
+    const auto [buffer, start, length] = resolve_view(file, number, view_number);
+    const Json& view = gltf_entry(source, file.json(), "bufferViews", view_number);
 
     GltfAccessor accessor;
     accessor.number = number;
     accessor.type = scalar_of_code(source, number, gltf_size(source, entry, "componentType", 0));
     accessor.count = gltf_size(source, entry, "count", 0);
-    accessor.buffer = gltf_size(source, view, "buffer", 0);
+    accessor.buffer = buffer;
     const std::size_t element = components * size_of(accessor.type);
     accessor.stride = gltf_size(source, view, "byteStride", element);
-    const std::size_t start = gltf_size(source, view, "byteOffset", 0);
-    const std::size_t length = gltf_size(source, view, "byteLength", 0);
     const std::size_t within = gltf_size(source, entry, "byteOffset", 0);
     const std::size_t available = file.buffer(accessor.buffer).size();
     if (start > available || length > available - start)

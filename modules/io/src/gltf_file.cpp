@@ -47,7 +47,8 @@ GltfFile GltfFile::open(const Source& source, bool binary, const Resolver& resol
     if (binary)
         file.split_chunks();
     file.parse_json();
-    file.buffers_.resize(gltf_array(source, file.json_, "buffers").size());
+    file.listed_buffers_ = gltf_array(source, file.json_, "buffers").size();
+    file.buffers_.resize(file.listed_buffers_ + gltf_array(source, file.json_, "bufferViews").size());
     return file;
 }
 
@@ -94,11 +95,22 @@ void GltfFile::parse_json() {
 }
 
 std::string_view GltfFile::buffer(std::size_t number) {
-    if (number >= buffers_.size())
-        source_.fail(fmt::format("it names buffer {}, but has {}", number, buffers_.size()));
+    if (number >= buffers_.size() || (number >= listed_buffers_ && !buffers_[number].loaded))
+        source_.fail(fmt::format("it names buffer {}, but has {}", number, listed_buffers_));
     if (!buffers_[number].loaded)
         load(number);
     return buffers_[number].bytes;
+}
+
+std::size_t GltfFile::unpacked_view(std::size_t view, const std::function<std::string()>& unpack) {
+    Buffer& buffer = buffers_[listed_buffers_ + view];
+    if (!buffer.loaded) {
+        buffer.home = Home::unpacked;
+        buffer.own = unpack();
+        buffer.bytes = buffer.own;
+        buffer.loaded = true;
+    }
+    return listed_buffers_ + view;
 }
 
 void GltfFile::load(std::size_t number) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,7 +20,7 @@ using Json = nlohmann::json;
 
 class GltfFile {
 public:
-    enum class Home { chunk, inline_uri, external };
+    enum class Home { chunk, inline_uri, external, unpacked };
     struct Buffer {
         Home home = Home::external;
         bool loaded = false;
@@ -37,7 +38,11 @@ public:
 
     /// Bytes of a buffer, fetched on first use. \throw InputError
     std::string_view buffer(std::size_t number);
+    /// The buffers that the file lists, then one for each buffer view that may be unpacked.
     const std::vector<Buffer>& buffers() const { return buffers_; }
+
+    /// Number of the buffer that holds what `unpack` gives for a buffer view; calls it on first use.
+    std::size_t unpacked_view(std::size_t view, const std::function<std::string()>& unpack);
 
     /// Offset in the file of the GLB's binary chunk's data.
     std::size_t chunk_offset() const { return chunk_offset_; }
@@ -56,6 +61,7 @@ private:
     std::string_view chunk_;
     std::size_t chunk_offset_ = 0;
     Json json_;
+    std::size_t listed_buffers_ = 0;
     std::vector<Buffer> buffers_;
 };
 

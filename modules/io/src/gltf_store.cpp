@@ -208,6 +208,9 @@ std::vector<std::string> GltfStore::moved_buffers(const Moves& moves) const {
             const std::size_t e = block.first_element + i;
             if (moves.moved[e] == 0)
                 continue;
+            if (buffer.home == GltfFile::Home::unpacked)
+                file_.source().fail("its positions are compressed with EXT_meshopt_compression, which wm3d reads but does "
+                                    "not write; save the file without compression to change it");
             if (changed[a.buffer].empty()) // all that the buffer's file holds, even beyond byteLength
                 changed[a.buffer] = buffer.home == GltfFile::Home::chunk ? std::string(buffer.bytes) : buffer.own;
             for (int k = 0; k < 3; ++k)
