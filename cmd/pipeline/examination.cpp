@@ -12,6 +12,20 @@
 
 namespace wm3d::pipeline {
 
+namespace {
+
+/// A suspect of fewer vertices may have been simplified with new places for its vertices.
+constexpr std::size_t coarse_vertices = 6000;
+constexpr std::size_t cell_samples = 30000;
+
+std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
+    for (Vec3& direction : directions)
+        direction = turn * direction;
+    return directions;
+}
+
+} // namespace
+
 unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices) {
     int preferred = 5;
     while (preferred > 0 && key::sequence_length(static_cast<unsigned>(preferred)) > vertices)
@@ -98,10 +112,7 @@ void Examination::add_pose(const resync::CandidatePose& candidate) {
 }
 
 std::vector<sphere::SparseRows> Examination::rows(std::size_t pose, std::span<const unsigned> levels) const {
-    std::vector<Vec3> directions = view(pose).base.positions;
-    for (Vec3& direction : directions)
-        direction = poses_[pose].turn * direction;
-    return sphere::barycentric_rows(finest_, directions, levels);
+    return sphere::barycentric_rows(finest_, turned(view(pose).base.positions, poses_[pose].turn), levels);
 }
 
 sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
@@ -109,17 +120,32 @@ sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
 }
 
 void Examination::make_family() {
-    const std::size_t filters = options_.evidence.filters.size(), levels = options_.levels.size();
     std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
     parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
-        const std::vector<sphere::SparseRows> of_level = rows(pose, options_.levels);
-        for (std::size_t l = 0; l < levels; ++l)
-            for (std::size_t f = 0; f < filters; ++f)
-                of_pose[pose].push_back(
-                    {evidence(pose).statistic(f, of_level[l], options_.rmax), options_.levels[l], pose, f});
+        add_hypotheses(of_pose[pose], pose);
+        if (base_vertices_ < coarse_vertices)
+            add_cell_hypotheses(of_pose[pose], pose);
     });
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
+}
+
+void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const {
+    const std::vector<sphere::SparseRows> of_level = rows(pose, options_.levels);
+    for (std::size_t l = 0; l < of_level.size(); ++l)
+        for (std::size_t f = 0; f < options_.evidence.filters.size(); ++f)
+            hypotheses.push_back(
+                {evidence(pose).statistic(f, of_level[l], options_.rmax), options_.levels[l], pose, f});
+}
+
+void Examination::add_cell_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const {
+    const detect::CellSamples samples(view(pose).base, cell_samples);
+    const std::vector<sphere::SparseRows> of_level =
+        sphere::barycentric_rows(finest_, turned(samples.positions(), poses_[pose].turn), options_.levels);
+    for (std::size_t l = 0; l < of_level.size(); ++l)
+        for (std::size_t f = 0; f < options_.evidence.filters.size(); ++f)
+            hypotheses.push_back({evidence(pose).statistic(f, samples, of_level[l], options_.rmax),
+                                  options_.levels[l], pose, f, true});
 }
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,

@@ -63,7 +63,8 @@ public:
     const resync::CandidatePose& pose(std::size_t pose) const { return poses_[pose].candidate; }
     const detect::Evidence& evidence(std::size_t pose = 0) const { return *view(pose).evidence; }
 
-    /// Poses times levels times filters, each hypothesis with its linear statistic.
+    /// Poses times levels times filters, each hypothesis with its linear statistic; on coarse suspects twice, at the
+    /// vertices and around them.
     std::span<const detect::Hypothesis> family() const { return family_; }
 
     /// Expected score, in standard deviations, of the best filter for a mark of this level whose area-weighted RMS
@@ -100,6 +101,8 @@ private:
     void gather_evidence();
     void add_pose(const resync::CandidatePose& candidate);
     void make_family();
+    void add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
+    void add_cell_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
 
     ExaminationOptions options_;
     sphere::Icosphere finest_; ///< of the levels

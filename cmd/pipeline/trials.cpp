@@ -51,7 +51,7 @@ std::vector<detect::LinearStatistic> statistics_of(const Examination& suspect, s
                                                    unsigned level) {
     std::vector<detect::LinearStatistic> statistics;
     for (const detect::Hypothesis& h : suspect.family())
-        if (h.pose == pose && h.level == level)
+        if (h.pose == pose && h.level == level && !h.cells)
             statistics.push_back(h.statistic);
     return statistics;
 }

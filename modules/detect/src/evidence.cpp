@@ -133,6 +133,11 @@ LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& row
     return {sphere::multiply_transposed(rows, seen(core_->pulled[f])), rmax};
 }
 
+LinearStatistic Evidence::statistic(std::size_t f, const CellSamples& samples, const sphere::SparseRows& rows,
+                                    double rmax) const {
+    return {sphere::multiply_transposed(rows, samples.spread(seen(core_->pulled[f]))), rmax};
+}
+
 std::vector<double> Evidence::normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
     return seen(sphere::multiply(rows, w));
 }

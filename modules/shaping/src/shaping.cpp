@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/shaping/shaping.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <wm3d/mesh/measure.hpp>
@@ -33,6 +34,15 @@ std::vector<double> bumps(const TriangleMesh& base, std::span<const Vec3> normal
     for (std::size_t i = 0; i < x.size(); ++i)
         x[i] *= normals[i].dot(base.positions[i].normalized());
     return x;
+}
+
+/// As `normalize`, with what exceeds `most` cut off.
+bool normalize_and_limit(std::vector<double>& x, std::span<const double> area, double most) {
+    if (!normalize(x, area))
+        return false;
+    for (double& value : x)
+        value = std::clamp(value, -most, most);
+    return normalize(x, area);
 }
 
 void add(std::vector<double>& sum, std::span<const double> x, double factor) {
@@ -89,7 +99,7 @@ std::vector<double> normal_moves(const TriangleMesh& base, const sphere::SparseR
     std::vector<std::vector<double>> parts(blend.templates.size());
     parallel_blocks(parts.size(), 1, [&](std::size_t k, std::size_t) {
         parts[k] = stage.carried_back(steps_on_base(blend.templates[k].steps, density), blend);
-        if (!normalize(parts[k], area))
+        if (!normalize_and_limit(parts[k], area, blend.most))
             parts[k].assign(plain.size(), 0.0);
     });
     std::vector<double> moves(plain.size(), 0.0);

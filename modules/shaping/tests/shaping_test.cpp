@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/shaping.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
@@ -66,6 +67,18 @@ TEST_CASE("the moves have an area-weighted root mean square of one") {
         total += area[i];
     }
     CHECK(std::sqrt(squares / total) == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("no vertex takes much more than its share, not even one of next to no area") {
+    Host host(3);
+    // A needle: one vertex is pulled close to a neighbour.
+    const Triangle& t = host.base.triangles[100];
+    host.base.positions[t[0]] = 0.999 * host.base.positions[t[1]] + 0.001 * host.base.positions[t[0]];
+    double largest = 0;
+    for (double move : shaping::normal_moves(host.base, host.rows, host.w, 1e-3, 1))
+        largest = std::max(largest, std::abs(move));
+    CHECK(largest > 2);
+    CHECK(largest < 12);
 }
 
 TEST_CASE("at the same strength a shaped mark scores more than bumps, after smoothing too") {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include <wm3d/detect/cell_samples.hpp>
 #include <wm3d/detect/linear_statistic.hpp>
 #include <wm3d/detect/surface_filter.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
@@ -47,6 +48,10 @@ public:
     /// T = sum_j c_j w_j with c = B^T diag(d.n) HP^T (a g e): a the vertex areas, e the normal residual
     /// n . HP x, g its weights, HP = I - (M + tL)^-1 M.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
+
+    /// The same with what is read at a vertex spread over the points around it; `rows` are B for the samples.
+    LinearStatistic statistic(std::size_t f, const CellSamples& samples, const sphere::SparseRows& rows,
+                              double rmax) const;
 
     /// gamma of eq. (3) at which the mark of `w` has an area-weighted root mean square normal move `move` (in units of
     /// mean radius); 0 if no gamma does.

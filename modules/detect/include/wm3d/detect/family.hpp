@@ -18,6 +18,7 @@ struct Hypothesis {
     unsigned level = 0;     ///< level of the watermarking sphere whose sequence the statistic takes
     std::size_t pose = 0;   ///< which of the candidate poses
     std::size_t filter = 0; ///< which filter of the bank
+    bool cells = false;     ///< read around the vertices instead of at them
 };
 
 /// The keyed sequence of a level.

@@ -23,6 +23,8 @@ struct Blend {
     double bumps = 0.3; ///< the paper's own
     std::vector<SmoothedShare> templates{{0, 0.3}, {30, 0.25}, {50, 0.2}};
     double weight = 0.1; ///< of a smoothing step
+    /// No template moves a vertex by more than this many times its root mean square: a tiny triangle could take all.
+    double most = 4;
     /// The filter whose template is taken: the finest of the detector's bank puts most where the surface is smooth.
     detect::Filter filter{3e-5, 1.0, 3e-4};
 };
