@@ -54,10 +54,11 @@ Facts inspect(const io::Model& model) {
     if (facts.topology.closed() && facts.triangles > 0)
         facts.volume = enclosed_volume(mesh);
     if (facts.area > 0) {
-        const Eigen::SelfAdjointEigenSolver<Mat3> eigen(
-            central_moments(mesh, substance(mesh)).covariance);
+        const ShapeMoments moments = shape_moments(mesh);
+        const CentralMoments central = moments.of(moments.substance());
+        const Eigen::SelfAdjointEigenSolver<Mat3> eigen(central.covariance);
         const Vec3 ascending = eigen.eigenvalues().cwiseMax(0).cwiseSqrt();
-        facts.frame = {canonical_frame(mesh), ascending.reverse()};
+        facts.frame = {principal_frame(mesh, central), ascending.reverse()};
     }
     return facts;
 }

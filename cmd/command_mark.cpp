@@ -234,7 +234,7 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
-    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5, fewer on small meshes]")
+    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5, or 4 below 10,242 vertices]")
         ->option_text("L")
         ->check(number_between(0, sphere::max_level));
     app.add_option("--profile", options.profile,

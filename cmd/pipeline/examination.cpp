@@ -9,6 +9,7 @@
 #include <wm3d/mesh/parallel.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/smoothing_trend.hpp>
+#include <wm3d/sphere/half_turns.hpp>
 
 namespace wm3d::pipeline {
 
@@ -24,12 +25,19 @@ std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
     return directions;
 }
 
+/// c of a pose that a half turn of the sphere makes of this one.
+detect::LinearStatistic permuted(const detect::LinearStatistic& statistic, std::span<const Index> turn) {
+    const std::span<const double> c = statistic.coefficients();
+    std::vector<double> moved(c.size());
+    for (std::size_t j = 0; j < c.size(); ++j)
+        moved[j] = c[turn[j]];
+    return {std::move(moved), statistic.rmax()};
+}
+
 } // namespace
 
 unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices) {
-    int preferred = 5;
-    while (preferred > 0 && key::sequence_length(static_cast<unsigned>(preferred)) > vertices)
-        --preferred;
+    const int preferred = key::sequence_length(5) <= vertices ? 5 : 4;
     const auto distance = [&](unsigned level) { return std::abs(static_cast<int>(level) - preferred); };
     return *std::ranges::min_element(parameters.levels, {}, distance);
 }
@@ -72,11 +80,10 @@ void Examination::gather_evidence() {
 }
 
 void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
-    for (Substance substance : possible_substances(suspect.mesh)) {
-        resync::HierarchyOptions hierarchy;
-        hierarchy.substance = substance;
-        const resync::FrameEstimate estimate =
-            resync::estimate_frame(suspect.mesh, suspect.base, hierarchy, progress);
+    const ShapeMoments moments = shape_moments(suspect.mesh);
+    for (Substance substance : moments.possible_substances()) {
+        const resync::FrameEstimate estimate = resync::estimate_frame(
+            suspect.mesh, suspect.base, substance, moments.of(substance), {}, progress);
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
         for (const resync::CandidatePose& before :
@@ -120,14 +127,38 @@ sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
 }
 
 void Examination::make_family() {
+    const auto turns = sphere::half_turns(finest_);
+    const std::vector<Leader> leaders = leading_poses();
     std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
     parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
+        if (leaders[pose].pose != pose)
+            return;
         add_hypotheses(of_pose[pose], pose);
         if (base_vertices_ < coarse_vertices)
             add_cell_hypotheses(of_pose[pose], pose);
     });
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose)
+        if (const Leader& leader = leaders[pose]; leader.pose != pose)
+            for (const detect::Hypothesis& h : of_pose[leader.pose])
+                of_pose[pose].push_back({permuted(h.statistic, turns[leader.axis]), h.level, pose, h.filter, h.cells});
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
+}
+
+/// The choices of axis signs of a frame differ by half turns of the sphere, which only change places of its vertices.
+std::vector<Examination::Leader> Examination::leading_poses() const {
+    std::vector<Leader> leaders;
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+        Leader leader{pose, 0};
+        for (std::size_t other = 0; other < pose && leader.pose == pose; ++other) {
+            if (poses_[other].view != poses_[pose].view || leaders[other].pose != other)
+                continue;
+            if (const auto axis = sphere::half_turn_axis(poses_[pose].turn * poses_[other].turn.transpose()))
+                leader = {other, static_cast<std::size_t>(*axis)};
+        }
+        leaders.push_back(leader);
+    }
+    return leaders;
 }
 
 void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const {

@@ -100,7 +100,14 @@ private:
     void add_principal_poses(const Suspect& suspect, const Progress& progress);
     void gather_evidence();
     void add_pose(const resync::CandidatePose& candidate);
+    /// A pose whose statistics those of another follow from by a half turn of the sphere; itself if none is.
+    struct Leader {
+        std::size_t pose = 0;
+        std::size_t axis = 0;
+    };
+
     void make_family();
+    std::vector<Leader> leading_poses() const;
     void add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
     void add_cell_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -71,43 +72,81 @@ Mat3 second_moments(const TriangleMesh& mesh, const Vec3& origin) {
     });
 }
 
-/// Moments of orders 0 to 2 of the tetrahedra between the triangles and the origin.
-struct ConeMoments {
+struct Cone {
+    Vec3 a, b, c;
+    double volume; ///< of the tetrahedron between the triangle and the apex, signed
+};
+
+Cone cone(const TriangleMesh& mesh, std::size_t f, const Vec3& apex) {
+    const Triangle& t = mesh.triangles[f];
+    Cone result{mesh.positions[t[0]] - apex, mesh.positions[t[1]] - apex, mesh.positions[t[2]] - apex, 0};
+    result.volume = result.a.dot(result.b.cross(result.c)) / 6;
+    return result;
+}
+
+/// What the volume and the first moment about any apex follow from: sums over the triangles of the signed volumes v
+/// under them, of the area vectors n, of v s and of s n^T, with s the sum of the corners.
+struct ApexSums {
     double volume = 0;
-    Vec3 moment = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
-    ConeMoments& operator+=(const ConeMoments& o) {
+    Vec3 area_vector = Vec3::Zero(), moment = Vec3::Zero();
+    Mat3 mixed = Mat3::Zero();
+
+    ApexSums& operator+=(const ApexSums& o) {
         volume += o.volume;
+        area_vector += o.area_vector;
         moment += o.moment;
-        second += o.second;
+        mixed += o.mixed;
         return *this;
+    }
+
+    double volume_about(const Vec3& apex) const { return volume - apex.dot(area_vector) / 3; }
+
+    Vec3 moment_about(const Vec3& apex) const {
+        return (moment - mixed * apex / 3 - 3 * volume_about(apex) * apex) / 4;
     }
 };
 
-ConeMoments cone_moments(const TriangleMesh& mesh, const Vec3& origin) {
-    return parallel_sum(mesh.triangles.size(), block, ConeMoments{}, [&](std::size_t begin, std::size_t end) {
-        ConeMoments sum;
+ApexSums apex_sums(const TriangleMesh& mesh, const Vec3& origin) {
+    return parallel_sum(mesh.triangles.size(), block, ApexSums{}, [&](std::size_t begin, std::size_t end) {
+        ApexSums sum;
         for (std::size_t f = begin; f < end; ++f) {
-            const Corners t = corners(mesh, f, origin);
-            const double volume = t.a.dot(t.b.cross(t.c)) / 6;
-            const Vec3 s = t.a + t.b + t.c;
-            sum.volume += volume;
-            sum.moment += volume / 4 * s;
-            sum.second += volume / 20 *
-                          (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+            const Cone t = cone(mesh, f, origin);
+            const Vec3 n = 0.5 * (t.b - t.a).cross(t.c - t.a), s = t.a + t.b + t.c;
+            sum += {t.volume, n, t.volume * s, s * n.transpose()};
         }
         return sum;
     });
 }
 
-Vec3 total_area_vector(const TriangleMesh& mesh) {
-    const Vec3 zero = Vec3::Zero();
-    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
-        Vec3 sum = Vec3::Zero();
-        for (std::size_t f = begin; f < end; ++f)
-            sum += 0.5 * area_vector(mesh, f);
+/// Integral of p p^T over the tetrahedra between the triangles and the apex.
+Mat3 solid_second_moments(const TriangleMesh& mesh, const Vec3& apex) {
+    const Mat3 zero = Mat3::Zero();
+    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Mat3 {
+        Mat3 sum = Mat3::Zero();
+        for (std::size_t f = begin; f < end; ++f) {
+            const Cone t = cone(mesh, f, apex);
+            const Vec3 s = t.a + t.b + t.c;
+            sum += t.volume / 20 *
+                   (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+        }
         return sum;
     });
+}
+
+/// The apex that is the centroid of what the surface and the cone over its openings enclose; none without volume.
+std::optional<Vec3> own_apex(const ApexSums& sums, double size) {
+    Vec3 apex = Vec3::Zero();
+    // The apex of a closed surface makes no difference, so one step ends it; small holes take a few.
+    constexpr int most_steps = 30;
+    for (int step = 0; step < most_steps; ++step) {
+        const Vec3 move = sums.moment_about(apex) / sums.volume_about(apex);
+        if (!move.allFinite() || move.norm() > size)
+            return std::nullopt;
+        apex += move;
+        if (move.norm() < 1e-12 * size)
+            break;
+    }
+    return apex;
 }
 
 bool is_solid(const SolidMoments& moments, double margin) {
@@ -130,28 +169,6 @@ Vec3 third_moments(const TriangleMesh& mesh, const Vec3& origin, const Mat3& axe
         }
         return sum;
     });
-}
-
-Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
-    Frame frame;
-    frame.centroid = moments.centroid;
-    frame.scale = mean_radius(mesh, frame.centroid);
-    if (!(frame.scale > 0))
-        throw GeometryError("all points of the surface coincide, so the mesh has no shape to mark or to examine");
-
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moments.covariance); // ascending
-    Mat3 axes;
-    axes.row(0) = eigen.eigenvectors().col(2).transpose();
-    axes.row(1) = eigen.eigenvectors().col(1).transpose();
-    axes.row(2) = axes.row(0).cross(axes.row(1));
-
-    const Vec3 skew = third_moments(mesh, frame.centroid, axes);
-    for (int k : {0, 1})
-        if (skew[k] < 0)
-            axes.row(k) = -axes.row(k);
-    axes.row(2) = axes.row(0).cross(axes.row(1));
-    frame.axes = axes;
-    return frame;
 }
 
 } // namespace
@@ -195,65 +212,73 @@ double mean_radius(const TriangleMesh& mesh, const Vec3& centre) {
     return area > 0 ? sum / area : 0;
 }
 
-SolidMoments solid_moments(const TriangleMesh& mesh) {
-    const SurfaceMoments surface = surface_moments(mesh);
-    SolidMoments moments;
-    moments.openness = total_area_vector(mesh).norm() / surface.area;
-    Vec3 apex = surface.centroid;
-    ConeMoments cone = cone_moments(mesh, apex);
-    // The apex of a closed surface makes no difference, so one step ends it; small holes take a few.
-    constexpr int most_steps = 12;
-    const double small = 1e-9 * std::sqrt(surface.area);
-    for (int step = 0; step < most_steps && cone.volume != 0; ++step) {
-        const Vec3 move = cone.moment / cone.volume;
-        if (!move.allFinite() || move.norm() > std::sqrt(surface.area))
-            return moments; // next to no volume
-        apex += move;
-        cone = cone_moments(mesh, apex);
-        if (move.norm() < small)
-            break;
-    }
-    if (cone.volume == 0)
+SolidMoments solid_moments(const TriangleMesh& mesh) { return shape_moments(mesh).solid; }
+
+ShapeMoments shape_moments(const TriangleMesh& mesh) {
+    ShapeMoments moments{surface_moments(mesh), {}};
+    const double area = moments.surface.area;
+    const Vec3 origin = moments.surface.centroid;
+    const ApexSums sums = apex_sums(mesh, origin);
+    SolidMoments& solid = moments.solid;
+    solid.openness = sums.area_vector.norm() / area;
+    const std::optional<Vec3> apex = own_apex(sums, std::sqrt(area));
+    if (!apex)
         return moments;
-    moments.volume = cone.volume;
-    moments.centroid = apex;
-    moments.covariance = cone.second / cone.volume;
-    moments.sphericity = 36 * std::numbers::pi * cone.volume * cone.volume / (surface.area * surface.area * surface.area);
+    solid.volume = sums.volume_about(*apex);
+    solid.centroid = origin + *apex;
+    solid.covariance = solid_second_moments(mesh, solid.centroid) / solid.volume;
+    solid.sphericity = 36 * std::numbers::pi * solid.volume * solid.volume / (area * area * area);
     return moments;
 }
 
-Substance substance(const TriangleMesh& mesh) {
-    return is_solid(solid_moments(mesh), 1) ? Substance::solid : Substance::surface;
+Substance ShapeMoments::substance() const { return is_solid(solid, 1) ? Substance::solid : Substance::surface; }
+
+std::vector<Substance> ShapeMoments::possible_substances() const {
+    const bool perhaps = is_solid(solid, 1 / doubt), surely = is_solid(solid, doubt);
+    if (perhaps == surely)
+        return {substance()};
+    return substance() == Substance::solid ? std::vector{Substance::solid, Substance::surface}
+                                           : std::vector{Substance::surface, Substance::solid};
 }
 
-std::vector<Substance> possible_substances(const TriangleMesh& mesh) {
-    const SolidMoments moments = solid_moments(mesh);
-    const bool perhaps = is_solid(moments, 1 / doubt), surely = is_solid(moments, doubt);
-    if (perhaps == surely)
-        return {perhaps ? Substance::solid : Substance::surface};
-    if (is_solid(moments, 1))
-        return {Substance::solid, Substance::surface};
-    return {Substance::surface, Substance::solid};
+CentralMoments ShapeMoments::of(Substance substance) const {
+    if (substance == Substance::solid)
+        return {solid.centroid, solid.covariance};
+    return {surface.centroid, surface.covariance};
+}
+
+Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
+    Frame frame;
+    frame.centroid = moments.centroid;
+    frame.scale = mean_radius(mesh, frame.centroid);
+    if (!(frame.scale > 0))
+        throw GeometryError("all points of the surface coincide, so the mesh has no shape to mark or to examine");
+
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moments.covariance); // ascending
+    Mat3 axes;
+    axes.row(0) = eigen.eigenvectors().col(2).transpose();
+    axes.row(1) = eigen.eigenvectors().col(1).transpose();
+    axes.row(2) = axes.row(0).cross(axes.row(1));
+
+    const Vec3 skew = third_moments(mesh, frame.centroid, axes);
+    for (int k : {0, 1})
+        if (skew[k] < 0)
+            axes.row(k) = -axes.row(k);
+    axes.row(2) = axes.row(0).cross(axes.row(1));
+    frame.axes = axes;
+    return frame;
 }
 
 Frame canonical_frame(const TriangleMesh& mesh) {
-    const SolidMoments solid = solid_moments(mesh);
-    if (is_solid(solid, 1))
-        return principal_frame(mesh, {solid.centroid, solid.covariance});
-    return canonical_frame(mesh, Substance::surface);
+    const ShapeMoments moments = shape_moments(mesh);
+    return principal_frame(mesh, moments.of(moments.substance()));
 }
 
 Frame canonical_frame(const TriangleMesh& mesh, Substance substance) {
-    return principal_frame(mesh, central_moments(mesh, substance));
-}
-
-CentralMoments central_moments(const TriangleMesh& mesh, Substance substance) {
-    if (substance == Substance::solid) {
-        const SolidMoments solid = solid_moments(mesh);
-        return {solid.centroid, solid.covariance};
-    }
+    if (substance == Substance::solid)
+        return principal_frame(mesh, shape_moments(mesh).of(substance));
     const SurfaceMoments surface = surface_moments(mesh);
-    return {surface.centroid, surface.covariance};
+    return principal_frame(mesh, {surface.centroid, surface.covariance});
 }
 
 std::array<Frame, 4> sign_choices(const Frame& frame) {

@@ -74,8 +74,8 @@ TEST_CASE("moments of a solid are exact on a box, whichever way its triangles lo
         CHECK((m.covariance - Mat3(variance.asDiagonal())).norm() < 1e-14);
         CHECK(m.sphericity == doctest::Approx(36 * std::numbers::pi * 48 * 48 / (area * area * area)));
         CHECK(m.openness < 1e-15);
-        CHECK(substance(box) == Substance::solid);
-        CHECK(possible_substances(box).size() == 1);
+        CHECK(shape_moments(box).substance() == Substance::solid);
+        CHECK(shape_moments(box).possible_substances().size() == 1);
         for (Triangle& t : box.triangles)
             std::swap(t[1], t[2]);
     }
@@ -83,14 +83,14 @@ TEST_CASE("moments of a solid are exact on a box, whichever way its triangles lo
 
 TEST_CASE("a sheet is a surface, a box without a small window a solid, one without a side a surface") {
     const TriangleMesh sheet{{{1, 1, 5}, {7, 1, 5}, {7, 3, 5}, {1, 3, 5}}, {{0, 1, 2}, {0, 2, 3}}};
-    CHECK(substance(sheet) == Substance::surface);
+    CHECK(shape_moments(sheet).substance() == Substance::surface);
     CHECK(solid_moments(sheet).openness == doctest::Approx(1));
     const TriangleMesh fine = split(split(split(tetrahedron())));
     TriangleMesh window = fine, side = fine;
     window.triangles.erase(window.triangles.begin() + 5);
     side.triangles.erase(side.triangles.begin(), side.triangles.begin() + static_cast<std::ptrdiff_t>(side.triangles.size() / 4));
-    CHECK(substance(window) == Substance::solid);
-    CHECK(substance(side) == Substance::surface);
+    CHECK(shape_moments(window).substance() == Substance::solid);
+    CHECK(shape_moments(side).substance() == Substance::surface);
     // A cone from the centroid fills the window, so little moves.
     const SolidMoments a = solid_moments(fine), b = solid_moments(window);
     CHECK((a.centroid - b.centroid).norm() < 0.01 * mean_radius(fine, a.centroid));

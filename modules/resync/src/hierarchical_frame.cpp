@@ -52,8 +52,9 @@ double turn_about(const Vec3& moments, int k, double change) {
 LevelFrame level_of(const TriangleMesh& mesh, const FrameEstimate& estimate, const Mat3& finest_covariance) {
     LevelFrame level;
     level.vertices = mesh.positions.size();
-    level.frame = with_signs_of(canonical_frame(mesh, estimate.substance), estimate.finest);
-    const Mat3 covariance = central_moments(mesh, estimate.substance).covariance;
+    const CentralMoments moments = shape_moments(mesh).of(estimate.substance);
+    level.frame = with_signs_of(principal_frame(mesh, moments), estimate.finest);
+    const Mat3& covariance = moments.covariance;
     level.change = (covariance / covariance.trace() - finest_covariance / finest_covariance.trace()).norm();
     return level;
 }
@@ -121,10 +122,17 @@ std::string_view describe(Ambiguity ambiguity) {
 
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options,
                              const Progress& progress) {
+    const ShapeMoments moments = shape_moments(mesh);
+    return estimate_frame(mesh, base, moments.substance(), moments.of(moments.substance()), options, progress);
+}
+
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,
+                             const CentralMoments& moments, const HierarchyOptions& options,
+                             const Progress& progress) {
     FrameEstimate estimate;
-    estimate.substance = options.substance.value_or(substance(mesh));
-    estimate.finest = canonical_frame(mesh, estimate.substance);
-    const Mat3 covariance = central_moments(mesh, estimate.substance).covariance;
+    estimate.substance = substance;
+    estimate.finest = principal_frame(mesh, moments);
+    const Mat3& covariance = moments.covariance;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
     estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
     estimate.levels.push_back({mesh.positions.size(), estimate.finest, 0});

@@ -2,6 +2,7 @@
 /// \file  Is the mark there? The paper's detector and the exactly calibrated one that decides.
 #pragma once
 
+#include <wm3d/detect/cell_samples.hpp>
 #include <wm3d/detect/evidence.hpp>
 #include <wm3d/detect/family.hpp>
 #include <wm3d/detect/linear_statistic.hpp>

@@ -3,5 +3,6 @@
 #pragma once
 
 #include <wm3d/sphere/bumped_sphere.hpp>
+#include <wm3d/sphere/half_turns.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 #include <wm3d/sphere/sparse_rows.hpp>

@@ -51,34 +51,44 @@ enum class Substance {
     surface, ///< the surface itself: sheets, scans with large holes, triangles that look both ways
 };
 
-/// The substance of a mesh: a solid where it encloses enough and is closed enough.
-/// \throw GeometryError  if the surface has no area
-Substance substance(const TriangleMesh& mesh);
-
-/// Both substances, that of the mesh first, where an attack could have turned one into the other; else its own.
-/// \throw GeometryError  if the surface has no area
-std::vector<Substance> possible_substances(const TriangleMesh& mesh);
-
-/// Area-weighted mean distance of the surface from `centre`, by a fixed rule of degree 5 on each triangle.
-double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
-
-/// The canonical frame: centroid and principal axes, from the largest second moment to the smallest, of a
-/// substance; mean radius of the surface 1. Signs of the first two axes make the surface's third moments along
-/// them positive; the third axis completes a right-handed system.
-/// \throw GeometryError  if the surface has no area or all of it lies in one point
-Frame canonical_frame(const TriangleMesh& mesh, Substance substance);
-
-/// The canonical frame of the mesh's own substance.
-Frame canonical_frame(const TriangleMesh& mesh);
-
 /// Centre and spread of a mass: what a canonical frame's place and axes come from.
 struct CentralMoments {
     Vec3 centroid = Vec3::Zero();
     Mat3 covariance = Mat3::Zero(); ///< second central moments over mass, in squared units of the mesh
 };
 
+/// Moments of both substances of a mesh.
+struct ShapeMoments {
+    SurfaceMoments surface;
+    SolidMoments solid;
+
+    /// That of the mesh: a solid where it encloses enough and is closed enough.
+    Substance substance() const;
+
+    /// Both, that of the mesh first, where an attack could have turned one into the other; else its own.
+    std::vector<Substance> possible_substances() const;
+
+    CentralMoments of(Substance substance) const;
+};
+
 /// \throw GeometryError  if the surface has no area
-CentralMoments central_moments(const TriangleMesh& mesh, Substance substance);
+ShapeMoments shape_moments(const TriangleMesh& mesh);
+
+/// Area-weighted mean distance of the surface from `centre`, by a fixed rule of degree 5 on each triangle.
+double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
+
+/// The frame of a mass: its centroid and its principal axes, from the largest second moment to the smallest; mean
+/// radius of the surface 1. Signs of the first two axes make the surface's third moments along them positive; the
+/// third axis completes a right-handed system.
+/// \throw GeometryError  if all of the surface lies in the centroid
+Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments);
+
+/// The canonical frame: the principal frame of a substance.
+/// \throw GeometryError  if the surface has no area or all of it lies in one point
+Frame canonical_frame(const TriangleMesh& mesh, Substance substance);
+
+/// The canonical frame of the mesh's own substance.
+Frame canonical_frame(const TriangleMesh& mesh);
 
 /// `frame` and its three turns by 180 degrees about its own axes: the four proper choices of axis signs.
 /// The first is `frame` itself.

@@ -3,7 +3,6 @@
 /// (the way to rotated copies that section 4 of the paper proposes as future work).
 #pragma once
 
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -21,7 +20,6 @@ struct HierarchyOptions {
     /// Relative distance of two eigenvalues below which a shape counts as ambiguous: a change of the moments of a
     /// tenth of that turns the axes by 6 degrees.
     double ambiguous_gap = 0.01;
-    std::optional<Substance> substance{}; ///< whose moments; the mesh's own where not given
 };
 
 /// What the moments leave open.
@@ -58,6 +56,11 @@ struct FrameEstimate {
 /// \param base  a simplified version of it, from which the coarser levels are made
 /// \throw GeometryError  if the mesh has no area
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options = {},
+                             const Progress& progress = {});
+
+/// The same for a substance of the mesh and its moments, which are known already.
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,
+                             const CentralMoments& moments, const HierarchyOptions& options = {},
                              const Progress& progress = {});
 
 struct CandidateOptions {
