@@ -22,7 +22,8 @@ void print_table(const std::filesystem::path& path, std::size_t keys) {
     const pipeline::Examination suspect(io::read(path).mesh(), options);
     const pipeline::Calibration result = pipeline::calibrate(suspect, level, keys, 2026);
 
-    fmt::print("\n### {} ({} base vertices)\n\n| statistic |", path.filename().string(), suspect.base_vertices());
+    fmt::print("\n### {} ({} base vertices)\n\n| statistic |", path.filename().string(),
+               suspect.base_vertices());
     for (double pf : result.pf)
         fmt::print(" {:g} |", pf);
     fmt::print("\n|---|");

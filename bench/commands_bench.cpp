@@ -27,7 +27,9 @@ void mark_file(const std::filesystem::path& in, const std::filesystem::path& out
     io::write_files(out, files, {.overwrite = true});
 }
 
-bench::Peer peer() { return bench::Peer(io::read(bunny()).mesh()); }
+bench::Peer peer() {
+    return bench::Peer(io::read(bunny()).mesh());
+}
 
 void whole_mark(benchmark::State& state) {
     const key::Key key = key::Key::generate("bench");
@@ -41,7 +43,7 @@ void whole_verify(benchmark::State& state) {
     const auto out = std::filesystem::temp_directory_path() / "wm3d_bench_suspect.obj";
     mark_file(bunny(), out, key);
     bench::ratio(state, peer(),
-                   [&] { benchmark::DoNotOptimize(pipeline::verify(io::read(out).mesh(), key, {})); });
+                 [&] { benchmark::DoNotOptimize(pipeline::verify(io::read(out).mesh(), key, {})); });
     std::filesystem::remove(out);
 }
 

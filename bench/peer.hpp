@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The peer that timings are ratios against: meshopt_simplify, bringing the same model to 10,000 vertices.
+/// \file  The peer that timings are ratios against: meshopt_simplify, bringing the same model to 10,000
+/// vertices.
 #pragma once
 
 #include <chrono>
@@ -19,7 +20,7 @@ inline std::filesystem::path bunny() {
     return std::filesystem::path(folder == nullptr ? "../shared/meshes" : folder) / "stanford-bunny.obj";
 }
 
-template <typename Work>
+template<typename Work>
 double seconds(Work&& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
@@ -43,9 +44,9 @@ public:
     double simplify() const {
         std::vector<unsigned> result(indices_.size());
         return seconds([&] {
-            ::benchmark::DoNotOptimize(meshopt_simplify(result.data(), indices_.data(), indices_.size(),
-                                                        positions_.data(), positions_.size() / 3, 3 * sizeof(float),
-                                                        target_indices_, 1.0f, 0, nullptr));
+            ::benchmark::DoNotOptimize(meshopt_simplify(
+                result.data(), indices_.data(), indices_.size(), positions_.data(), positions_.size() / 3,
+                3 * sizeof(float), target_indices_, 1.0f, 0, nullptr));
         });
     }
 
@@ -56,7 +57,7 @@ private:
 };
 
 /// Runs the peer and `work` in turn; reports the time of `work`, and the ratio of the sums as a counter.
-template <typename Work>
+template<typename Work>
 void ratio(::benchmark::State& state, const Peer& peer, Work&& work) {
     double own = 0, other = 0;
     for (auto _ : state) {

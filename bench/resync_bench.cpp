@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  Measures what resynchronisation survives and prints the tables of docs/resync.md, as Markdown.
-/// Usage: resync_bench [blind|cut|reference|frame|keys|time]... [TRIALS]; the models are looked for in WM3D_MESHES.
+/// Usage: resync_bench [blind|cut|reference|frame|keys|time]... [TRIALS]; the models are looked for in
+/// WM3D_MESHES.
 
 #include <algorithm>
 #include <array>
@@ -29,8 +30,9 @@ namespace {
 using namespace wm3d;
 using attack::RandomStream;
 
-const std::vector<std::string> all_models{"DamagedHelmet.glb", "fandisk.obj", "horse.ply",  "igea.ply",     "nefertiti.obj",
-                                          "rocker-arm.obj",    "spot.obj",    "stanford-bunny.obj", "thing-73416.stl"};
+const std::vector<std::string> all_models{"DamagedHelmet.glb", "fandisk.obj",        "horse.ply",
+                                          "igea.ply",          "nefertiti.obj",      "rocker-arm.obj",
+                                          "spot.obj",          "stanford-bunny.obj", "thing-73416.stl"};
 const std::vector<std::string> scans{"stanford-bunny.obj", "nefertiti.obj", "horse.ply"};
 
 TriangleMesh load(const std::string& name) {
@@ -48,7 +50,8 @@ resync::Similarity random_similarity(std::uint64_t seed, double radius) {
     t.rotation = Eigen::AngleAxisd(random.between(2, 0, 2 * EIGEN_PI), axis).toRotationMatrix();
     t.scale = std::pow(10, random.between(3, -1, 1));
     t.translation =
-        5 * radius * Vec3(random.between(4, -1, 1), random.between(5, -1, 1), random.between(6, -1, 1)).normalized();
+        5 * radius *
+        Vec3(random.between(4, -1, 1), random.between(5, -1, 1), random.between(6, -1, 1)).normalized();
     return t;
 }
 
@@ -105,11 +108,13 @@ double median(std::vector<double> values) {
 /// "median (worst), found of all" of log10 p.
 std::string summary(const std::vector<double>& values) {
     const auto found = std::ranges::count_if(values, [](double p) { return p <= -6; });
-    return fmt::format("{} of {} | {:.0f} | {:.0f}", found, values.size(), median(values), std::ranges::max(values));
+    return fmt::format("{} of {} | {:.0f} | {:.0f}", found, values.size(), median(values),
+                       std::ranges::max(values));
 }
 
 void blind(std::size_t trials) {
-    fmt::print("| model | unmoved, no resync | moved: present at 1e-6 | median log10 p | worst |\n|---|---|---|---|---|\n");
+    fmt::print("| model | unmoved, no resync | moved: present at 1e-6 | median log10 p | worst "
+               "|\n|---|---|---|---|---|\n");
     for (const std::string& name : all_models) {
         const Specimen specimen(name, 0.05);
         pipeline::VerifyOptions none;
@@ -119,14 +124,15 @@ void blind(std::size_t trials) {
         for (std::uint64_t seed = 1; seed <= trials; ++seed)
             values.push_back(log10_p(moved(specimen.marked, seed), specimen.key, {}));
         fmt::print("| {} | {:.1f} | {} of {} | {:.1f} | {:.1f} |\n", name, still,
-                   std::ranges::count_if(values, [](double p) { return p <= -6; }), values.size(), median(values),
-                   std::ranges::max(values));
+                   std::ranges::count_if(values, [](double p) { return p <= -6; }), values.size(),
+                   median(values), std::ranges::max(values));
         std::fflush(stdout);
     }
 }
 
 void cut(std::size_t trials) {
-    fmt::print("| model | cut away | receipt: present | median log10 p | worst | original: present | median log10 p | "
+    fmt::print("| model | cut away | receipt: present | median log10 p | worst | original: present | median "
+               "log10 p | "
                "worst |\n|---|---|---|---|---|---|---|---|\n");
     for (const std::string& name : scans) {
         const Specimen specimen(name, 0.05);
@@ -139,24 +145,29 @@ void cut(std::size_t trials) {
                 by_receipt.push_back(log10_p(suspect, specimen.key, with_receipt(specimen)));
                 by_reference.push_back(log10_p(suspect, specimen.key, with_reference(specimen)));
             }
-            fmt::print("| {} | {:.0f} % | {} | {} |\n", name, percent, summary(by_receipt), summary(by_reference));
+            fmt::print("| {} | {:.0f} % | {} | {} |\n", name, percent, summary(by_receipt),
+                       summary(by_reference));
             std::fflush(stdout);
         }
     }
 }
 
 void reference(std::size_t trials) {
-    fmt::print("| attack on the bunny, strength 0.019 | blind, log10 p | with the original, log10 p: median | worst |\n"
+    fmt::print("| attack on the bunny, strength 0.019 | blind, log10 p | with the original, log10 p: median "
+               "| worst |\n"
                "|---|---|---|---|\n");
-    for (const char* spec : {"simplification:97.5", "smoothing:50", "quantization:7", "noise:0.5", "simplification:90"}) {
+    for (const char* spec :
+         {"simplification:97.5", "smoothing:50", "quantization:7", "noise:0.5", "simplification:90"}) {
         std::vector<double> without, with;
         for (std::uint64_t seed = 1; seed <= trials; ++seed) {
             const Specimen specimen("stanford-bunny.obj", 0.019); // another key each time
-            const TriangleMesh suspect = moved(attack::apply(specimen.marked, attack::parse(spec), seed), seed);
+            const TriangleMesh suspect =
+                moved(attack::apply(specimen.marked, attack::parse(spec), seed), seed);
             without.push_back(log10_p(suspect, specimen.key, {}));
             with.push_back(log10_p(suspect, specimen.key, with_reference(specimen)));
         }
-        fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} |\n", spec, median(without), median(with), std::ranges::max(with));
+        fmt::print("| {} | {:.1f} | {:.1f} | {:.1f} |\n", spec, median(without), median(with),
+                   std::ranges::max(with));
         std::fflush(stdout);
     }
 }
@@ -168,7 +179,8 @@ double angle(const Frame& frame, const Frame& truth) {
     return least;
 }
 
-/// Angle between a mesh's true axes and: those of its surface, those of its own substance, the nearest that are tried.
+/// Angle between a mesh's true axes and: those of its surface, those of its own substance, the nearest that
+/// are tried.
 std::array<double, 3> frame_errors(const TriangleMesh& mesh, const TriangleMesh& suspect) {
     const Frame truth = canonical_frame(mesh);
     const pipeline::Suspect simplified = pipeline::simplify_suspect(suspect, pipeline::default_vertices);
@@ -186,7 +198,8 @@ std::array<double, 3> frame_errors(const TriangleMesh& mesh, const TriangleMesh&
 }
 
 void frame(std::size_t) {
-    const std::vector<const char*> attacks{"noise:0.5", "quantization:7", "smoothing:50", "simplification:95"};
+    const std::vector<const char*> attacks{"noise:0.5", "quantization:7", "smoothing:50",
+                                           "simplification:95"};
     fmt::print("| model | moments | noise 0.5 % | 7 bits | smoothing 50 | simplification 95 % |\n"
                "|---|---|---|---|---|---|\n");
     std::map<std::string, std::array<std::vector<double>, 3>> errors;
@@ -197,7 +210,8 @@ void frame(std::size_t) {
                                       estimate.moments[1], estimate.moments[2],
                                       estimate.ambiguity == resync::Ambiguity::none ? "" : "(ambiguous)");
         for (const char* spec : attacks) {
-            const std::array<double, 3> error = frame_errors(mesh, attack::apply(mesh, attack::parse(spec), 1));
+            const std::array<double, 3> error =
+                frame_errors(mesh, attack::apply(mesh, attack::parse(spec), 1));
             if (estimate.ambiguity == resync::Ambiguity::none)
                 for (std::size_t k = 0; k < 3; ++k)
                     errors[spec][k].push_back(error[k]);
@@ -223,8 +237,8 @@ void keys(std::size_t) {
         options.pf = 0.01;
         options.null_keys = 2000;
         const pipeline::VerifyReport report = pipeline::verify(suspect, specimen.key, options);
-        fmt::print("| {} | {} | {} of {} | {} |\n", name, report.score.hypotheses, report.null->false_positives,
-                   report.null->keys, 20);
+        fmt::print("| {} | {} | {} of {} | {} |\n", name, report.score.hypotheses,
+                   report.null->false_positives, report.null->keys, 20);
     }
 }
 
@@ -247,7 +261,8 @@ void timing(std::size_t trials) {
         for (std::size_t i = 0; i < trials; ++i) {
             const auto start = std::chrono::steady_clock::now();
             log10_p(*suspect, specimen.key, options);
-            seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+            seconds.push_back(
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
         }
         fmt::print("| {} | {:.2f} |\n", name, median(seconds));
     }
@@ -257,7 +272,8 @@ void timing(std::size_t trials) {
 
 int main(int argc, char** argv) {
     const std::map<std::string, std::function<void(std::size_t)>> tables{
-        {"blind", blind}, {"cut", cut}, {"reference", reference}, {"frame", frame}, {"keys", keys}, {"time", timing}};
+        {"blind", blind}, {"cut", cut},   {"reference", reference},
+        {"frame", frame}, {"keys", keys}, {"time", timing}};
     std::size_t trials = 20;
     std::vector<std::string> wanted;
     for (int i = 1; i < argc; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  Simplification with and without the MAPS parameterization, to 10,000 vertices, as ratios against
-/// meshopt_simplify doing the same reduction in turn in one run: on the bunny, and on the bunny Loop-subdivided twice
-/// (1.1 million faces).
+/// meshopt_simplify doing the same reduction in turn in one run: on the bunny, and on the bunny
+/// Loop-subdivided twice (1.1 million faces).
 #include <benchmark/benchmark.h>
 
 #include <wm3d/attack.hpp>
@@ -16,10 +16,11 @@ using namespace wm3d;
 
 TriangleMesh model(bool subdivided) {
     const TriangleMesh mesh = io::read(bench::bunny()).mesh();
-    return subdivided ? attack::apply(mesh, attack::parse_chain("subdivision:loop+subdivision:loop"), 1) : mesh;
+    return subdivided ? attack::apply(mesh, attack::parse_chain("subdivision:loop+subdivision:loop"), 1)
+                      : mesh;
 }
 
-template <typename Work>
+template<typename Work>
 void compare(benchmark::State& state, bool subdivided, Work&& work) {
     const TriangleMesh mesh = model(subdivided);
     const bench::Peer peer(mesh);
@@ -41,10 +42,22 @@ void simplify_and_maps(benchmark::State& state, bool subdivided) {
     });
 }
 
-BENCHMARK_CAPTURE(simplify_alone, bunny, false)->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(simplify_and_maps, bunny, false)->UseManualTime()->Iterations(10)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(simplify_alone, million, true)->UseManualTime()->Iterations(3)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(simplify_and_maps, million, true)->UseManualTime()->Iterations(3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simplify_alone, bunny, false)
+    ->UseManualTime()
+    ->Iterations(10)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simplify_and_maps, bunny, false)
+    ->UseManualTime()
+    ->Iterations(10)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simplify_alone, million, true)
+    ->UseManualTime()
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(simplify_and_maps, million, true)
+    ->UseManualTime()
+    ->Iterations(3)
+    ->Unit(benchmark::kMillisecond);
 
 } // namespace
 

@@ -117,7 +117,8 @@ pipeline::TrialSetting setting_of(const AnalyzeArguments& arguments, const Trian
     pipeline::TrialSetting setting;
     setting.vertices = vertices;
     setting.parameters = parameters_of(key);
-    setting.level = arguments.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
+    setting.level =
+        arguments.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
     return setting;
 }
 

@@ -71,7 +71,8 @@ void write_receipt(const io::Model& model, const pipeline::Marked& marked, const
 }
 
 /// The marked file; what goes to a stream has no files beside it.
-io::PatchedFiles patched(const io::Model& model, const pipeline::Marked& marked, const MarkArguments& arguments) {
+io::PatchedFiles patched(const io::Model& model, const pipeline::Marked& marked,
+                         const MarkArguments& arguments) {
     const auto normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
     const std::string_view name = arguments.files.output == "-" ? std::string_view() : arguments.files.output;
     return model.patched_files(marked.positions, name, normals);
@@ -114,7 +115,9 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
             {"output", arguments.files.output},
             {"key", key.fingerprint()},
             {"base_vertices", marked.base_vertices},
-            {"profile", arguments.options.profile == pipeline::Profile::robust && !arguments.options.gamma ? "robust" : "paper"},
+            {"profile", arguments.options.profile == pipeline::Profile::robust && !arguments.options.gamma
+                            ? "robust"
+                            : "paper"},
             {"level", marked.level},
             {"rmax", marked.rmax},
             {"gamma", marked.gamma},
@@ -156,7 +159,8 @@ pipeline::MarkOptions resolved_options(const MarkArguments& arguments, const Tri
     pipeline::TrialSetting setting;
     setting.vertices = options.vertices;
     setting.parameters = key.parameters();
-    setting.level = options.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
+    setting.level =
+        options.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
     const pipeline::Recommendation advice =
         pipeline::recommend(mesh, setting, requirement, output.progress());
     if (!advice.reached)
@@ -234,18 +238,21 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
-    app.add_option("--level", options.level, "Subdivisions of the watermarking sphere [5, or 4 below 10,242 vertices]")
+    app.add_option("--level", options.level,
+                   "Subdivisions of the watermarking sphere [5, or 4 below 10,242 vertices]")
         ->option_text("L")
         ->check(number_between(0, sphere::max_level));
-    app.add_option("--profile", options.profile,
-                   "How the strength is laid out: robust, shaped for the detector, or paper, eq. (3) alone [robust]")
+    app.add_option(
+           "--profile", options.profile,
+           "How the strength is laid out: robust, shaped for the detector, or paper, eq. (3) alone [robust]")
         ->option_text("NAME")
         ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Profile>{
             {"robust", pipeline::Profile::robust}, {"paper", pipeline::Profile::paper}}));
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));
-    app.add_option("--normals", arguments.normals, "Stored normals: keep, or recompute for the marked surface [keep]")
+    app.add_option("--normals", arguments.normals,
+                   "Stored normals: keep, or recompute for the marked surface [keep]")
         ->option_text("MODE")
         ->check(CLI::IsMember({"keep", "recompute"}));
     app.add_option("--receipt", arguments.receipt,

@@ -66,7 +66,8 @@ std::string figures(const resync::Similarity& t, const resync::Registration& fou
                        "confidence   {:.2f}\n",
                        turn.angle() * 180 / EIGEN_PI, a[0], a[1], a[2],
                        t.mirrors() ? ", then a reflection through the origin" : "", t.scale, t.translation[0],
-                       t.translation[1], t.translation[2], found.residual, 100 * found.coverage, found.confidence);
+                       t.translation[1], t.translation[2], found.residual, 100 * found.coverage,
+                       found.confidence);
 }
 
 nlohmann::ordered_json to_json(const ResyncArguments& arguments, const resync::Similarity& t,
@@ -107,10 +108,11 @@ int run(const ResyncArguments& arguments, Output& output) {
     const resync::Registration found =
         resync::register_template(against, suspect.base, {}, output.progress());
     if (!found.aligned)
-        throw GeometryError(fmt::format(
-            "{}: it can't be aligned with {}, because the best pose explains {:.0f} % of its surface only; either "
-            "it is another object, or too little of it is left",
-            display_name(arguments.files.input), arguments.against(), 100 * found.coverage));
+        throw GeometryError(fmt::format("{}: it can't be aligned with {}, because the best pose explains "
+                                        "{:.0f} % of its surface only; either "
+                                        "it is another object, or too little of it is left",
+                                        display_name(arguments.files.input), arguments.against(),
+                                        100 * found.coverage));
     const resync::Similarity t = found.transform.inverse();
     write_output(arguments.files, io::encode(transformed(model.mesh(), t), format), output);
     warn_of(arguments, found, output);
@@ -126,9 +128,10 @@ int run(const ResyncArguments& arguments, Output& output) {
 
 Action declare_resync(CLI::App& app) {
     const auto arguments = std::make_shared<ResyncArguments>();
-    app.description("Lays a mesh that was moved, scaled or cut back on the model it comes from, and tells the\n"
-                    "transform, how well it fits and how sure it is. The model is a mesh or a receipt of mark.\n"
-                    "Where no pose explains most of the mesh, nothing is written and the exit status is 2.");
+    app.description(
+        "Lays a mesh that was moved, scaled or cut back on the model it comes from, and tells the\n"
+        "transform, how well it fits and how sure it is. The model is a mesh or a receipt of mark.\n"
+        "Where no pose explains most of the mesh, nothing is written and the exit status is 2.");
     add_input(app, arguments->files);
     add_output(app, arguments->files);
     app.add_option("--reference", arguments->reference, "Mesh to align with: the original or the marked one")

@@ -66,15 +66,18 @@ std::string power_of_ten(double log10_p) {
 std::string reason(const pipeline::VerifyReport& report) {
     switch (report.doubt) {
     case pipeline::Doubt::opening:
-        return fmt::format("it has an opening as large as {:.1f} % of its surface: if a part was cut off there, the "
-                           "rest alone doesn't tell where the mark lies; give --receipt or --reference, which do.",
-                           100 * report.largest_opening);
+        return fmt::format(
+            "it has an opening as large as {:.1f} % of its surface: if a part was cut off there, the "
+            "rest alone doesn't tell where the mark lies; give --receipt or --reference, which do.",
+            100 * report.largest_opening);
     case pipeline::Doubt::alignment:
-        return "it could not be aligned with what was given, so the place where the mark would lie is not known.";
+        return "it could not be aligned with what was given, so the place where the mark would lie is not "
+               "known.";
     default:
-        return fmt::format("this mesh is too small, too plain or too damaged to say that the mark is absent: one of "
-                           "the usual strength would be missed with probability {:.2g}.",
-                           report.predicted_miss);
+        return fmt::format(
+            "this mesh is too small, too plain or too damaged to say that the mark is absent: one of "
+            "the usual strength would be missed with probability {:.2g}.",
+            report.predicted_miss);
     }
 }
 
@@ -130,10 +133,11 @@ std::string figures(const pipeline::VerifyReport& report) {
         text += ", difference from the reference";
     text += fmt::format(" ({})", report.pose_origin);
     if (report.registration)
-        text += fmt::format("\nalignment       {:.1f} % of the suspect explained, residual {:.2g} mean radii, "
-                            "confidence {:.2f}",
-                            100 * report.registration->coverage, report.registration->residual,
-                            report.registration->confidence);
+        text +=
+            fmt::format("\nalignment       {:.1f} % of the suspect explained, residual {:.2g} mean radii, "
+                        "confidence {:.2f}",
+                        100 * report.registration->coverage, report.registration->residual,
+                        report.registration->confidence);
     const pipeline::PaperReport& paper = report.paper;
     text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
                         paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
@@ -212,8 +216,9 @@ Evidence read_evidence(const VerifyArguments& arguments, Output& output) {
     if (!arguments.reference.empty())
         evidence.reference = read_mesh(arguments.reference);
     if (evidence.receipt && arguments.resync.empty() && !resync::has_registration())
-        output.warn("this build was made without Ceres, so the receipt's frame is tried as it stands alone; a copy "
-                    "that was cut and moved needs a build with -DWM3D_RESYNC=ON");
+        output.warn(
+            "this build was made without Ceres, so the receipt's frame is tried as it stands alone; a copy "
+            "that was cut and moved needs a build with -DWM3D_RESYNC=ON");
     return evidence;
 }
 
@@ -226,7 +231,8 @@ pipeline::VerifyOptions with_evidence(const VerifyArguments& arguments, const Ev
     return options;
 }
 
-/// Which of the receipt's two files the suspect is byte for byte. Whatever the detector says, the hashes can't err.
+/// Which of the receipt's two files the suspect is byte for byte. Whatever the detector says, the hashes
+/// can't err.
 std::string_view file_in_receipt(const io::Model& suspect, const resync::Receipt& receipt) {
     // Positions that don't change leave every byte as it was read.
     const resync::FileDigest digest = resync::digest_of(suspect.patched(suspect.mesh().positions));
@@ -246,22 +252,25 @@ void tell_alignment(const VerifyArguments& arguments, const pipeline::VerifyRepo
         return;
     const std::string against = arguments.reference.empty() ? arguments.receipt : arguments.reference;
     if (!report.registration->aligned)
-        output.warn(fmt::format("{} could not be aligned with {}: the best pose explains {:.0f} % of it; either it "
-                                "is another object, or too little of it is left",
-                                display_name(arguments.files.input), against, 100 * report.registration->coverage));
+        output.warn(
+            fmt::format("{} could not be aligned with {}: the best pose explains {:.0f} % of it; either it "
+                        "is another object, or too little of it is left",
+                        display_name(arguments.files.input), against, 100 * report.registration->coverage));
     else if (report.registration->transform.mirrors())
         output.warn(fmt::format("{} is a mirror image of {}; it was examined as such",
                                 display_name(arguments.files.input), against));
     else if (report.registration->confidence < 0.1 && report.verdict != Verdict::present)
-        output.warn(fmt::format("{} fits {} in clearly different poses almost equally well, so the pose that was "
-                                "examined may be a wrong one",
-                                display_name(arguments.files.input), against));
+        output.warn(
+            fmt::format("{} fits {} in clearly different poses almost equally well, so the pose that was "
+                        "examined may be a wrong one",
+                        display_name(arguments.files.input), against));
 }
 
 int run(const VerifyArguments& arguments, Output& output) {
     if (arguments.resync == "icp" && arguments.receipt.empty() && arguments.reference.empty())
-        throw ParameterError("--resync icp aligns the suspect with something: give --receipt or --reference, or use "
-                             "--resync pca");
+        throw ParameterError(
+            "--resync icp aligns the suspect with something: give --receipt or --reference, or use "
+            "--resync pca");
     const key::Key key = load_key(arguments.key, output);
     const Evidence evidence = read_evidence(arguments, output);
     const io::Model model = read_input(arguments.files);
@@ -295,11 +304,13 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
         ->option_text("NAME")
         ->check(CLI::IsMember({"whitened", "paper"}));
     app.add_option("--resync", arguments.resync,
-                   "pca: principal axes, every sign; none: canonical frame alone; icp: align with what is given [pca; "
+                   "pca: principal axes, every sign; none: canonical frame alone; icp: align with what is "
+                   "given [pca; "
                    "with --receipt or --reference both pca and icp]")
         ->option_text("NAME")
         ->check(CLI::IsMember({"pca", "none", "icp"}));
-    app.add_option("--receipt", arguments.receipt, "What `mark --receipt` wrote: finds cut and ambiguous copies")
+    app.add_option("--receipt", arguments.receipt,
+                   "What `mark --receipt` wrote: finds cut and ambiguous copies")
         ->option_text("FILE");
     app.add_option("--reference", arguments.reference,
                    "The unmarked original: align with it and look at the difference")

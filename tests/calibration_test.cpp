@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The calibration proof: random keys on real, unmarked meshes pass thresholds as often as the exact null says.
+/// \file  The calibration proof: random keys on real, unmarked meshes pass thresholds as often as the exact
+/// null says.
 #include "pipeline/calibration.hpp"
 
 #include <cmath>
@@ -52,7 +53,8 @@ void check_mesh(const std::string& name) {
             CAPTURE(result.pf[i]);
             CAPTURE(counts.expected_pf[i]);
             CAPTURE(counts.passed[i]);
-            // The paper's threshold follows each key's own mean square of Delta, the expectation takes one key's: 5 %.
+            // The paper's threshold follows each key's own mean square of Delta, the expectation takes one
+            // key's: 5 %.
             const double slack = counts.expected_pf[i] == result.pf[i] ? 1.0 : 1.05;
             CHECK((agrees(counts.passed[i], counts.expected_pf[i]) ||
                    agrees(counts.passed[i], counts.expected_pf[i] * slack) ||
@@ -64,12 +66,24 @@ void check_mesh(const std::string& name) {
 
 } // namespace
 
-TEST_CASE("100 000 random keys on the bunny") { check_mesh("stanford-bunny.obj"); }
-TEST_CASE("100 000 random keys on the horse") { check_mesh("horse.ply"); }
-TEST_CASE("100 000 random keys on nefertiti") { check_mesh("nefertiti.obj"); }
-TEST_CASE("100 000 random keys on the rocker arm") { check_mesh("rocker-arm.obj"); }
-TEST_CASE("100 000 random keys on igea") { check_mesh("igea.ply"); }
-TEST_CASE("100 000 random keys on the fandisk") { check_mesh("fandisk.obj"); }
+TEST_CASE("100 000 random keys on the bunny") {
+    check_mesh("stanford-bunny.obj");
+}
+TEST_CASE("100 000 random keys on the horse") {
+    check_mesh("horse.ply");
+}
+TEST_CASE("100 000 random keys on nefertiti") {
+    check_mesh("nefertiti.obj");
+}
+TEST_CASE("100 000 random keys on the rocker arm") {
+    check_mesh("rocker-arm.obj");
+}
+TEST_CASE("100 000 random keys on igea") {
+    check_mesh("igea.ply");
+}
+TEST_CASE("100 000 random keys on the fandisk") {
+    check_mesh("fandisk.obj");
+}
 
 TEST_CASE("the whole family keeps its false-positive probability") {
     const std::string name = "rocker-arm.obj";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Moved, cut and damaged copies through the whole of mark and verify: short versions of bench/resync_bench.cpp.
+/// \file  Moved, cut and damaged copies through the whole of mark and verify: short versions of
+/// bench/resync_bench.cpp.
 
 #include <cmath>
 
@@ -38,8 +39,8 @@ const Specimen& specimen() {
 }
 
 TriangleMesh moved(TriangleMesh mesh, double angle, double scale) {
-    const resync::Similarity t{Eigen::AngleAxisd(angle, Vec3(1, -2, 0.4).normalized()).toRotationMatrix(), scale,
-                               scale * Vec3(3, 4, -1)};
+    const resync::Similarity t{Eigen::AngleAxisd(angle, Vec3(1, -2, 0.4).normalized()).toRotationMatrix(),
+                               scale, scale * Vec3(3, 4, -1)};
     for (Vec3& p : mesh.positions)
         p = t(p);
     return mesh;
@@ -73,7 +74,8 @@ TEST_CASE("a moved copy is found blind, as well as one in place but for the pric
     const double in_place = pipeline::verify(s.marked, s.key, none).score.log10_p;
     REQUIRE(in_place < -6);
     for (double scale : {0.1, 10.0}) {
-        const pipeline::VerifyReport report = pipeline::verify(moved(s.marked, 2.5 * scale, scale), s.key, {});
+        const pipeline::VerifyReport report =
+            pipeline::verify(moved(s.marked, 2.5 * scale, scale), s.key, {});
         CHECK(report.verdict == Verdict::present);
         const double price = std::log10(static_cast<double>(report.score.hypotheses) / 12);
         CHECK(report.score.log10_p < in_place + price + 2);
@@ -102,7 +104,8 @@ TEST_CASE("a copy that was cut and moved is found with the receipt and with the 
 
 TEST_CASE("of a cut copy nothing is called absent but in a pose that can be trusted") {
     const Specimen& s = specimen();
-    const TriangleMesh suspect = moved(cut(s.marked, 20, 3), 1.2, 2), clean = moved(cut(s.original, 20, 3), 1.2, 2);
+    const TriangleMesh suspect = moved(cut(s.marked, 20, 3), 1.2, 2),
+                       clean = moved(cut(s.original, 20, 3), 1.2, 2);
     const pipeline::VerifyReport blind = pipeline::verify(suspect, s.key, {});
     CHECK(blind.verdict == Verdict::inconclusive);
     CHECK(blind.doubt == pipeline::Doubt::opening);
@@ -183,8 +186,8 @@ TEST_CASE("another key's receipt is refused, and so is registration without Cere
     const key::Key other = key::Key::generate("other");
     CHECK_THROWS_AS(pipeline::verify(s.marked, other, with_receipt()), ParameterError);
     if (!resync::has_registration())
-        CHECK_THROWS_WITH_AS(pipeline::verify(s.marked, s.key, with_reference()), doctest::Contains("WM3D_RESYNC"),
-                             ParameterError);
+        CHECK_THROWS_WITH_AS(pipeline::verify(s.marked, s.key, with_reference()),
+                             doctest::Contains("WM3D_RESYNC"), ParameterError);
 }
 
 TEST_CASE("shapes that moments can't turn are told") {

@@ -14,7 +14,8 @@ constexpr std::size_t reference_points = 4000;    // of the template that is mad
 constexpr std::size_t reference_vertices = 40000; // that carry the difference
 constexpr double reach = 0.03;                    // farthest counterpart, in mean radii
 
-/// Whether the suspect lies around the frame at all. Seen from afar it would meet a few bumps of the sphere only.
+/// Whether the suspect lies around the frame at all. Seen from afar it would meet a few bumps of the sphere
+/// only.
 bool surrounds(const Frame& frame, const Frame& suspect) {
     const double ratio = suspect.scale / frame.scale;
     return (suspect.centroid - frame.centroid).norm() < 1.5 * frame.scale && ratio > 0.2 && ratio < 2;
@@ -31,11 +32,13 @@ KnownPose pose_by_receipt(const resync::Receipt& receipt, const Suspect& suspect
         return known;
     known.registration = resync::register_template(receipt.in_file(), suspect.base, {}, progress);
     if (known.registration->aligned)
-        known.poses.push_back({resync::moved(receipt.frame, known.registration->transform), "receipt, aligned"});
+        known.poses.push_back(
+            {resync::moved(receipt.frame, known.registration->transform), "receipt, aligned"});
     return known;
 }
 
-ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect, const Progress& progress) {
+ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect,
+                                     const Progress& progress) {
     const Frame frame = canonical_frame(reference);
     const TriangleMesh base = simplify_suspect(reference, reference_vertices, progress).base;
     const resync::PoseTemplate points = resync::make_template(base, reference_points);

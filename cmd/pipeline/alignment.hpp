@@ -19,15 +19,15 @@ struct KnownPose {
     std::optional<resync::Registration> registration; ///< where one was asked for
 };
 
-/// The frame of the receipt as it stands, where the suspect lies around it, and, if `align`, the one that registration against its template finds.
-/// \throw ParameterError  if this build can't register
+/// The frame of the receipt as it stands, where the suspect lies around it, and, if `align`, the one that
+/// registration against its template finds. \throw ParameterError  if this build can't register
 KnownPose pose_by_receipt(const resync::Receipt& receipt, const Suspect& suspect, bool align,
                           const Progress& progress = {});
 
 /// A reference in its canonical frame, and a suspect's difference from it.
 struct ReferenceView {
-    KnownPose known;    ///< the one pose that registration finds; none if it fails
-    TriangleMesh mesh;  ///< reference, simplified, in its canonical frame; empty if registration fails
+    KnownPose known;   ///< the one pose that registration finds; none if it fails
+    TriangleMesh mesh; ///< reference, simplified, in its canonical frame; empty if registration fails
     resync::SurfaceDifference difference;
 };
 
@@ -37,7 +37,8 @@ struct ReferenceView {
 ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect,
                                      const Progress& progress = {});
 
-/// One hypothesis per level from the difference, in the coordinates of `view`. Their number of a filter is `filter`.
+/// One hypothesis per level from the difference, in the coordinates of `view`. Their number of a filter is
+/// `filter`.
 std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const ExaminationOptions& options,
                                                  std::size_t pose, std::size_t filter);
 

@@ -19,7 +19,8 @@ using Counts = std::vector<std::vector<std::size_t>>; // statistics by probabili
 struct PaperRule {
     std::vector<double> radii;
     sphere::SparseRows rows;
-    std::vector<double> unit_thresholds; ///< per probability: T_rho for unit variances and mean 0, times sqrt(n)
+    std::vector<double>
+        unit_thresholds; ///< per probability: T_rho for unit variances and mean 0, times sqrt(n)
 
     void count(std::span<const double> w, std::vector<std::size_t>& passed) const {
         const detect::PaperStatistics s = detect::paper_statistics(radii, sphere::multiply(rows, w));
@@ -60,7 +61,8 @@ Calibration calibrate(const Examination& suspect, unsigned level, std::size_t ke
     for (std::size_t f = 0; f < suspect.evidence().filters(); ++f) {
         statistics.push_back(suspect.evidence().statistic(f, rows, suspect.options().rmax));
         const detect::Filter filter = suspect.evidence().filter(f);
-        result.counts.push_back({fmt::format("whitened, t = {:g}, power {:g}", filter.t, filter.power), pf, {}});
+        result.counts.push_back(
+            {fmt::format("whitened, t = {:g}, power {:g}", filter.t, filter.power), pf, {}});
         thresholds.emplace_back();
         for (double p : pf)
             thresholds.back().push_back(detect::tail_quantile(statistics.back(), std::log10(p)));

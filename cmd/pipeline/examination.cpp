@@ -82,8 +82,8 @@ void Examination::gather_evidence() {
 void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
     const ShapeMoments moments = shape_moments(suspect.mesh);
     for (Substance substance : moments.possible_substances()) {
-        const resync::FrameEstimate estimate = resync::estimate_frame(
-            suspect.mesh, suspect.base, substance, moments.of(substance), {}, progress);
+        const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, suspect.base, substance,
+                                                                      moments.of(substance), {}, progress);
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
         for (const resync::CandidatePose& before :
@@ -101,8 +101,9 @@ void Examination::make_poses(const Suspect& suspect, const Progress& progress) {
     for (const resync::CandidatePose& candidate : options_.poses)
         add_pose(candidate);
     if (poses_.empty())
-        throw ParameterError("there is no pose to examine the suspect in; give a receipt or a reference, or let the "
-                             "suspect's own axes tell it");
+        throw ParameterError(
+            "there is no pose to examine the suspect in; give a receipt or a reference, or let the "
+            "suspect's own axes tell it");
 }
 
 void Examination::add_pose(const resync::CandidatePose& candidate) {
@@ -140,12 +141,14 @@ void Examination::make_family() {
     for (std::size_t pose = 0; pose < poses_.size(); ++pose)
         if (const Leader& leader = leaders[pose]; leader.pose != pose)
             for (const detect::Hypothesis& h : of_pose[leader.pose])
-                of_pose[pose].push_back({permuted(h.statistic, turns[leader.axis]), h.level, pose, h.filter, h.cells});
+                of_pose[pose].push_back(
+                    {permuted(h.statistic, turns[leader.axis]), h.level, pose, h.filter, h.cells});
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
 }
 
-/// The choices of axis signs of a frame differ by half turns of the sphere, which only change places of its vertices.
+/// The choices of axis signs of a frame differ by half turns of the sphere, which only change places of its
+/// vertices.
 std::vector<Examination::Leader> Examination::leading_poses() const {
     std::vector<Leader> leaders;
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  A suspect made ready for any key: frame, base mesh, evidence, and the hypotheses that will be tried.
+/// \file  A suspect made ready for any key: frame, base mesh, evidence, and the hypotheses that will be
+/// tried.
 #pragma once
 
 #include <array>
@@ -31,11 +32,12 @@ enum class Resync {
 };
 
 struct ExaminationOptions {
-    std::size_t vertices = default_vertices; ///< to simplify to
+    std::size_t vertices = default_vertices;  ///< to simplify to
     std::vector<unsigned> levels{3, 4, 5, 6}; ///< of the watermarking sphere, each tried
     double rmax = 0.1;
     Resync resync = Resync::pca;
-    std::vector<resync::CandidatePose> poses; ///< tried too, after those of `resync`; not to depend on any key
+    std::vector<resync::CandidatePose>
+        poses; ///< tried too, after those of `resync`; not to depend on any key
     detect::EvidenceOptions evidence;
 };
 
@@ -63,12 +65,13 @@ public:
     const resync::CandidatePose& pose(std::size_t pose) const { return poses_[pose].candidate; }
     const detect::Evidence& evidence(std::size_t pose = 0) const { return *view(pose).evidence; }
 
-    /// Poses times levels times filters, each hypothesis with its linear statistic; on coarse suspects twice, at the
-    /// vertices and around them.
+    /// Poses times levels times filters, each hypothesis with its linear statistic; on coarse suspects twice,
+    /// at the vertices and around them.
     std::span<const detect::Hypothesis> family() const { return family_; }
 
-    /// Expected score, in standard deviations, of the best filter for a mark of this level whose area-weighted RMS
-    /// normal move is `strength` % of the bounding box's diagonal; with `filter`, in that filter alone.
+    /// Expected score, in standard deviations, of the best filter for a mark of this level whose
+    /// area-weighted RMS normal move is `strength` % of the bounding box's diagonal; with `filter`, in that
+    /// filter alone.
     double expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0,
                            std::optional<std::size_t> filter = {}) const;
 

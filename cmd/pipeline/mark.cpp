@@ -22,16 +22,18 @@ unsigned level_of(const TriangleMesh& mesh, const key::Key& key, const MarkOptio
     const std::vector<unsigned>& levels = key.parameters().levels;
     const unsigned level = options.level.value_or(default_level(key.parameters(), mesh.positions.size()));
     if (std::ranges::find(levels, level) == levels.end())
-        throw ParameterError(fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
-                                         "it; choose one of them or make a key with `keygen --levels`",
-                                         fmt::join(levels, ", "), level));
+        throw ParameterError(
+            fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
+                        "it; choose one of them or make a key with `keygen --levels`",
+                        fmt::join(levels, ", "), level));
     return level;
 }
 
 double gamma_of(double strength, double unit_rms, double diagonal) {
     if (!(unit_rms > 0))
-        throw GeometryError("no radial move of this surface shows along its normals, so it can't be marked; a closed "
-                            "or curved model can");
+        throw GeometryError(
+            "no radial move of this surface shows along its normals, so it can't be marked; a closed "
+            "or curved model can");
     return strength / 100 * diagonal / unit_rms;
 }
 
@@ -41,7 +43,8 @@ maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices
     return maps::parameterize(canonical, options, progress);
 }
 
-Forecast forecast_on(const Examination& host, unsigned level, const key::Key& key, const MarkOptions& options) {
+Forecast forecast_on(const Examination& host, unsigned level, const key::Key& key,
+                     const MarkOptions& options) {
     Sequences sequences(key.secret(), key.parameters().rmax);
     Forecast result;
     result.expected_sigmas = host.expected_sigmas(sequences, level, options.strength);
@@ -83,9 +86,11 @@ std::vector<Vec3> Marker::bumpy_base(std::span<const double> delta, double gamma
 /// The strength is that of the base; the full mesh's differs by what its details hide.
 std::vector<Vec3> Marker::shaped_base(std::span<const double> w, const MarkSetting& setting) const {
     const TriangleMesh& base = domain_.mesh;
-    const sphere::SparseRows rows = sphere::barycentric_rows(sphere::Icosphere(setting.level), base.positions);
+    const sphere::SparseRows rows =
+        sphere::barycentric_rows(sphere::Icosphere(setting.level), base.positions);
     const double rms = setting.strength / 100 * diagonal_ / frame_.scale;
-    const double density = static_cast<double>(base.positions.size()) / static_cast<double>(mesh_.positions.size());
+    const double density =
+        static_cast<double>(base.positions.size()) / static_cast<double>(mesh_.positions.size());
     const std::vector<double> moves = shaping::normal_moves(base, rows, w, rms, density);
     const std::vector<Vec3> normals = vertex_normals(base);
     std::vector<Vec3> moved = base.positions;
@@ -112,8 +117,9 @@ Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const
     // The move is linear in gamma: one trial tells the gamma of any strength.
     constexpr double trial = 1e-3;
     const double unit = diagonal_ / frame_.scale;
-    marked.gamma = setting.gamma ? *setting.gamma
-                                 : gamma_of(setting.strength, normal_rms(bumpy_base(delta, trial)) / trial, unit);
+    marked.gamma = setting.gamma
+                       ? *setting.gamma
+                       : gamma_of(setting.strength, normal_rms(bumpy_base(delta, trial)) / trial, unit);
     std::vector<Vec3> moved_base = bumpy_base(delta, marked.gamma);
     if (setting.profile == Profile::robust && !setting.gamma) {
         moved_base = shaped_base(w, setting);
@@ -130,12 +136,13 @@ Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const
     return marked;
 }
 
-Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress) {
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+            const Progress& progress) {
     const unsigned level = level_of(mesh, key, options); // before any work
     const Marker marker(mesh, options.vertices, progress);
     report(progress, "marking", 0);
-    Marked marked = marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax), options.strength,
-                                               options.gamma, options.profile});
+    Marked marked = marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax),
+                                               options.strength, options.gamma, options.profile});
     report(progress, "marking", 1);
     return marked;
 }

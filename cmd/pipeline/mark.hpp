@@ -21,11 +21,11 @@ struct MarkOptions {
     Profile profile = Profile::robust;
     /// Area-weighted RMS of the move along the surface normal, % of the bounding box's diagonal.
     double strength = default_strength;
-    std::optional<double> gamma;                ///< of eq. (3), instead of a strength; means the paper's profile
-    std::size_t vertices = default_vertices;    ///< of the base domain
-    std::optional<unsigned> level;              ///< of the watermarking sphere; must be one of the key's
-    std::optional<double> rmax;                 ///< height of the bumps; the key's own if not given
-    double pf = default_pf;                     ///< at which the mark has to be found again
+    std::optional<double> gamma;             ///< of eq. (3), instead of a strength; means the paper's profile
+    std::size_t vertices = default_vertices; ///< of the base domain
+    std::optional<unsigned> level;           ///< of the watermarking sphere; must be one of the key's
+    std::optional<double> rmax;              ///< height of the bumps; the key's own if not given
+    double pf = default_pf;                  ///< at which the mark has to be found again
 };
 
 struct Marked {
@@ -34,7 +34,7 @@ struct Marked {
     std::size_t base_vertices = 0;
     unsigned level = 0;
     double rmax = 0;
-    double gamma = 0; ///< of the bumps of the same strength
+    double gamma = 0;             ///< of the bumps of the same strength
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
 };
@@ -48,7 +48,8 @@ struct MarkSetting {
     Profile profile = Profile::robust;
 };
 
-/// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to outlive it.
+/// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to
+/// outlive it.
 class Marker {
 public:
     /// \throw GeometryError  if the mesh has no area
@@ -78,7 +79,8 @@ private:
 /// Marks a mesh: base domain by MAPS, eq. (3) or a shaped mark on its vertices, reconstruction.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
-Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options, const Progress& progress = {});
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+            const Progress& progress = {});
 
 /// What can be said before a file is written.
 struct Forecast {

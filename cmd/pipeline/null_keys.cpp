@@ -16,7 +16,8 @@ double uniformity(std::vector<double> p) {
     const auto n = static_cast<double>(p.size());
     double distance = 0;
     for (std::size_t i = 0; i < p.size(); ++i)
-        distance = std::max({distance, p[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - p[i]});
+        distance =
+            std::max({distance, p[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - p[i]});
     // Stephens' argument makes the limit distribution accurate for small n.
     const double x = distance * (std::sqrt(n) + 0.12 + 0.11 / std::sqrt(n));
     if (x < 0.2) // the series needs many terms there, and its value is 1 to twelve digits
@@ -27,8 +28,8 @@ double uniformity(std::vector<double> p) {
     return std::clamp(sum, 0.0, 1.0);
 }
 
-NullReport score_null_keys(std::span<const detect::Hypothesis> family, double rmax, double pf, std::size_t keys,
-                           std::uint64_t seed, const Progress& progress) {
+NullReport score_null_keys(std::span<const detect::Hypothesis> family, double rmax, double pf,
+                           std::size_t keys, std::uint64_t seed, const Progress& progress) {
     constexpr std::size_t block = 16, most_tested = 2000, batch = 1024;
     const std::vector<double> thresholds = detect::family_thresholds(family, pf);
     const detect::Hypothesis& first = family.front();
@@ -41,8 +42,9 @@ NullReport score_null_keys(std::span<const detect::Hypothesis> family, double rm
                 Sequences sequences(key::null_secret(seed, k), rmax);
                 positive[k] = detect::reaches(family, thresholds, sequences.function());
                 if (k < p.size())
-                    p[k] = std::pow(10.0, detect::saddlepoint_log10_tail(
-                                              first.statistic, first.statistic.value(sequences(first.level))));
+                    p[k] =
+                        std::pow(10.0, detect::saddlepoint_log10_tail(
+                                           first.statistic, first.statistic.value(sequences(first.level))));
             }
         });
     }

@@ -13,7 +13,8 @@ constexpr std::size_t template_vertices = 20000;
 } // namespace
 
 resync::Receipt make_receipt(const TriangleMesh& mesh, const Marked& marked, const key::Key& key,
-                             std::string_view original, std::string_view marked_file, const Progress& progress) {
+                             std::string_view original, std::string_view marked_file,
+                             const Progress& progress) {
     resync::Receipt receipt;
     receipt.tool = fmt::format("wm3d {}", WM3D_VERSION);
     receipt.key_name = key.fingerprint();

@@ -13,7 +13,8 @@ namespace wm3d::pipeline {
 
 /// The receipt of a marking; `original` and `marked_file` are the bytes of the two files.
 resync::Receipt make_receipt(const TriangleMesh& mesh, const Marked& marked, const key::Key& key,
-                             std::string_view original, std::string_view marked_file, const Progress& progress = {});
+                             std::string_view original, std::string_view marked_file,
+                             const Progress& progress = {});
 
 /// Whether the moments of a mesh leave open how it is turned.
 resync::Ambiguity ambiguity_of(const TriangleMesh& mesh, const Progress& progress = {});

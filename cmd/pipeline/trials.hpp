@@ -44,8 +44,8 @@ public:
     /// \throw ParameterError  if the setting's level isn't one of its parameters'
     TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Progress& progress = {});
 
-    /// The paper's mark of random key `number` of the family `seed`, of a strength in % of the box's diagonal. May be
-    /// called from several threads.
+    /// The paper's mark of random key `number` of the family `seed`, of a strength in % of the box's
+    /// diagonal. May be called from several threads.
     Trial run(double strength, std::uint64_t seed, std::size_t number) const;
 
     const TrialSetting& setting() const { return setting_; }

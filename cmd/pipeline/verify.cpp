@@ -32,8 +32,9 @@ std::vector<detect::Hypothesis> paper_family(const Examination& suspect) {
     std::vector<detect::Hypothesis> family;
     for (std::size_t pose = 0; pose < suspect.poses(); ++pose)
         for (unsigned level : suspect.options().levels)
-            family.push_back(
-                {detect::paper_statistic(suspect.radii(pose), suspect.rows(pose, level), suspect.options().rmax), level, pose, 0});
+            family.push_back({detect::paper_statistic(suspect.radii(pose), suspect.rows(pose, level),
+                                                      suspect.options().rmax),
+                              level, pose, 0});
     return family;
 }
 
@@ -51,14 +52,16 @@ PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned 
     return report;
 }
 
-void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key, Sequences& sequences,
-                     const VerifyOptions& options) {
+void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key,
+                     Sequences& sequences, const VerifyOptions& options) {
     // Where the mark is found, the power only illustrates: the filter that found it is enough.
     std::optional<std::size_t> filter;
-    if (report.score.log10_p <= std::log10(options.pf) && report.score.best.hypothesis < suspect.family().size())
+    if (report.score.log10_p <= std::log10(options.pf) &&
+        report.score.best.hypothesis < suspect.family().size())
         filter = suspect.family()[report.score.best.hypothesis].filter;
-    report.expected_sigmas = suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
-                                                     key.parameters().reference_strength, 0, filter);
+    report.expected_sigmas =
+        suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
+                                key.parameters().reference_strength, 0, filter);
     report.predicted_miss =
         detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);
     report.verdict = detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);
@@ -74,7 +77,8 @@ void decide_paper(VerifyReport& report, const Examination& suspect, const key::K
     if (s.rho > report.paper.threshold)
         report.verdict = detect::Verdict::present;
     else
-        report.verdict = report.predicted_miss <= 0.01 ? detect::Verdict::absent : detect::Verdict::inconclusive;
+        report.verdict =
+            report.predicted_miss <= 0.01 ? detect::Verdict::absent : detect::Verdict::inconclusive;
 }
 
 /// The hypotheses of a verdict: those of the suspect alone and, with a reference, of the difference.
@@ -87,9 +91,10 @@ struct Hypotheses {
 
 void require_own_receipt(const resync::Receipt& receipt, const key::Key& key) {
     if (receipt.key_commitment != key.commitment())
-        throw ParameterError(fmt::format("the receipt was written for key {} and not for key {}; give the receipt of "
-                                         "this key's mark",
-                                         receipt.key_name, key.fingerprint()));
+        throw ParameterError(
+            fmt::format("the receipt was written for key {} and not for key {}; give the receipt of "
+                        "this key's mark",
+                        receipt.key_name, key.fingerprint()));
 }
 
 Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOptions& options,
@@ -120,9 +125,9 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
     if (reference && !reference->mesh.positions.empty()) {
         result.reference_coverage = reference->difference.covered;
         if (options.detector == Detector::whitened)
-            std::ranges::move(
-                reference_family(*reference, suspect.options(), suspect.poses() - 1, suspect.evidence().filters()),
-                std::back_inserter(result.family));
+            std::ranges::move(reference_family(*reference, suspect.options(), suspect.poses() - 1,
+                                               suspect.evidence().filters()),
+                              std::back_inserter(result.family));
     }
     return result;
 }

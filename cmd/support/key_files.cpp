@@ -24,9 +24,10 @@ bool others_may_read(const std::string& path) {
 key::Key load_key(const std::string& path, Output& output) {
     key::Key key = key::Key::load(path);
     if (others_may_read(path))
-        output.warn(fmt::format("{0}: other users of this machine can read this key, and with it make, find and remove "
-                                "its marks; keep it to yourself with: chmod 600 {0}",
-                                path));
+        output.warn(fmt::format(
+            "{0}: other users of this machine can read this key, and with it make, find and remove "
+            "its marks; keep it to yourself with: chmod 600 {0}",
+            path));
     return key;
 }
 

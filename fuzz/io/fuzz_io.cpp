@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Any bytes are read as a mesh or refused with wm3d::Error; what was read can be patched and read again. The first
-// byte chooses the format.
+// Any bytes are read as a mesh or refused with wm3d::Error; what was read can be patched and read again. The
+// first byte chooses the format.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -164,7 +164,8 @@ std::vector<RegistryEntry> further() {
           "round",
           "coordinates rounded to decimals, as text formats do",
           {count("decimals", "digits after the point", 3, -6, 15),
-           real("size", "longest side of the box that the model is scaled to before; 0: as it is", 0, 0, 1e9)}},
+           real("size", "longest side of the box that the model is scaled to before; 0: as it is", 0, 0,
+                1e9)}},
          run_rounding},
     };
 }

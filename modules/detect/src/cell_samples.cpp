@@ -10,7 +10,8 @@ namespace wm3d::detect {
 
 namespace {
 
-/// Barycentric coordinates of the centres of the n^2 parts that n - 1 cuts along each side make of a triangle.
+/// Barycentric coordinates of the centres of the n^2 parts that n - 1 cuts along each side make of a
+/// triangle.
 std::vector<std::array<double, 3>> centres_of_parts(int n) {
     std::vector<std::array<double, 3>> centres;
     const auto add = [&](double u, double v) { centres.push_back({1 - (u + v) / n, u / n, v / n}); };
@@ -33,7 +34,8 @@ CellSamples::CellSamples(const TriangleMesh& mesh, std::size_t count) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         for (const std::array<double, 3>& b : centres) {
             const Triangle& t = mesh.triangles[f];
-            positions_.push_back(b[0] * mesh.positions[t[0]] + b[1] * mesh.positions[t[1]] + b[2] * mesh.positions[t[2]]);
+            positions_.push_back(b[0] * mesh.positions[t[0]] + b[1] * mesh.positions[t[1]] +
+                                 b[2] * mesh.positions[t[2]]);
             corners_.push_back(t);
             std::array<double, 3>& share = shares_.emplace_back();
             for (std::size_t k = 0; k < 3; ++k) {

@@ -35,8 +35,8 @@ double median(std::vector<double> values) {
 }
 
 /// Weights (local variance)^-power of the residual, scaled so that their median is about 1.
-std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<const double> e, const Filter& filter,
-                                     double variance_floor) {
+std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<const double> e,
+                                     const Filter& filter, double variance_floor) {
     std::vector<double> g(e.size(), 1.0);
     if (filter.power == 0 || e.empty())
         return g;
@@ -116,11 +116,17 @@ Evidence::Evidence(std::shared_ptr<const Core> core, const Vec3& centre)
         visibility_[i] = core_->normals[i].dot((core_->positions[i] - centre).normalized());
 }
 
-Evidence Evidence::seen_from(const Vec3& centre) const { return {core_, centre}; }
+Evidence Evidence::seen_from(const Vec3& centre) const {
+    return {core_, centre};
+}
 
-std::size_t Evidence::filters() const { return core_->options.filters.size(); }
+std::size_t Evidence::filters() const {
+    return core_->options.filters.size();
+}
 
-const Filter& Evidence::filter(std::size_t f) const { return core_->options.filters[f]; }
+const Filter& Evidence::filter(std::size_t f) const {
+    return core_->options.filters[f];
+}
 
 std::vector<double> Evidence::seen(std::span<const double> pulled) const {
     std::vector<double> y(pulled.begin(), pulled.end());
@@ -147,8 +153,8 @@ double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w
     return unit > 0 ? move / unit : 0;
 }
 
-LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
-                                         double rmax, double move) const {
+LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows,
+                                         std::span<const double> w, double rmax, double move) const {
     std::vector<double> q = normal_bumps(rows, w);
     const double unit = core_->rms(q);
     for (double& x : q)
@@ -157,7 +163,8 @@ LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows
     return {sphere::multiply_transposed(rows, seen(core_->pull(f, e))), rmax};
 }
 
-std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w) const {
+std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& rows,
+                                     std::span<const double> w) const {
     std::vector<double> q = core_->high_pass(f, normal_bumps(rows, w));
     for (std::size_t i = 0; i < q.size(); ++i)
         q[i] *= core_->weights[f][i];
@@ -167,15 +174,16 @@ std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& ro
         std::vector<double> along(q.size());
         for (std::size_t i = 0; i < q.size(); ++i)
             along[i] = q[i] * core_->normals[i][axis];
-        const std::vector<double> low = core_->surface.low_pass_transposed(core_->options.filters[f].t, along);
+        const std::vector<double> low =
+            core_->surface.low_pass_transposed(core_->options.filters[f].t, along);
         for (std::size_t i = 0; i < q.size(); ++i)
             gradient[i][axis] = along[i] - low[i];
     });
     return gradient;
 }
 
-double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
-                                 double move) const {
+double Evidence::expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                                 double rmax, double move) const {
     const LinearStatistic own = mark_statistic(f, rows, w, rmax, move);
     const double sigma = std::hypot(statistic(f, rows, rmax).sigma(), own.sigma());
     return sigma > 0 ? own.value(w) / sigma : 0;

@@ -27,7 +27,8 @@ Score raw_score(const Hypothesis& hypothesis, std::size_t number, const Sequence
 
 FamilyScore score_family(std::span<const Hypothesis> family, const SequenceOfLevel& sequence) {
     if (family.empty())
-        throw ParameterError("there is no hypothesis to score: allow at least one pose, one level and one filter");
+        throw ParameterError(
+            "there is no hypothesis to score: allow at least one pose, one level and one filter");
     std::vector<Score> scores;
     scores.reserve(family.size());
     for (std::size_t h = 0; h < family.size(); ++h)
@@ -64,9 +65,11 @@ std::vector<double> family_thresholds(std::span<const Hypothesis> family, double
     return thresholds;
 }
 
-bool reaches(std::span<const Hypothesis> family, std::span<const double> thresholds, const SequenceOfLevel& sequence) {
+bool reaches(std::span<const Hypothesis> family, std::span<const double> thresholds,
+             const SequenceOfLevel& sequence) {
     for (std::size_t h = 0; h < family.size(); ++h)
-        if (family[h].statistic.sigma() > 0 && family[h].statistic.value(sequence(family[h].level)) >= thresholds[h])
+        if (family[h].statistic.sigma() > 0 &&
+            family[h].statistic.value(sequence(family[h].level)) >= thresholds[h])
             return true;
     return false;
 }

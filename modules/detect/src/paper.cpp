@@ -31,9 +31,10 @@ void require(bool holds, const char* what, double value) {
 Real miss_argument(double gamma, std::size_t n, double delta_mean_square, double sigma_r, double pf) {
     require_probability(pf);
     require(n > 0, "the number of base vertices has to be positive", static_cast<double>(n));
-    require(delta_mean_square >= 0 && std::isfinite(delta_mean_square), "the mean of Delta^2 can't be negative",
-            delta_mean_square);
-    require(sigma_r > 0 && std::isfinite(sigma_r), "the standard deviation of the radii has to be positive", sigma_r);
+    require(delta_mean_square >= 0 && std::isfinite(delta_mean_square),
+            "the mean of Delta^2 can't be negative", delta_mean_square);
+    require(sigma_r > 0 && std::isfinite(sigma_r), "the standard deviation of the radii has to be positive",
+            sigma_r);
     const Real shift = Real(gamma) * std::sqrt(Real(n) * Real(delta_mean_square));
     return shift / (std::numbers::sqrt2_v<Real> * Real(sigma_r)) - boost::math::erfc_inv(2 * Real(pf));
 }
@@ -41,7 +42,7 @@ Real miss_argument(double gamma, std::size_t n, double delta_mean_square, double
 /// log10 of erfc(x)/2.
 double log10_half_erfc(Real x) {
     constexpr Real beyond = 100; // erfc of the extended format underflows at 106
-    if (x < 0) // P_m is near 1: keep the digits of its distance from 1
+    if (x < 0)                   // P_m is near 1: keep the digits of its distance from 1
         return static_cast<double>(std::log1p(-std::erfc(-x) / 2) / std::numbers::ln10_v<Real>);
     if (x < beyond)
         return static_cast<double>(std::log10(std::erfc(x) / 2));
@@ -57,8 +58,8 @@ double log10_half_erfc(Real x) {
 double correlation(std::span<const double> radius, std::span<const double> delta) {
     if (radius.empty() || radius.size() != delta.size())
         throw ParameterError(fmt::format(
-            "a correlation takes as many radii as bumps and at least one, but there are {} and {}", radius.size(),
-            delta.size()));
+            "a correlation takes as many radii as bumps and at least one, but there are {} and {}",
+            radius.size(), delta.size()));
     double sum = 0;
     for (std::size_t i = 0; i < radius.size(); ++i)
         sum += radius[i] * delta[i];
@@ -70,7 +71,8 @@ double miss_probability(double gamma, std::size_t n, double delta_mean_square, d
     return static_cast<double>(std::erfc(x) / 2); // eq. (5)
 }
 
-double log10_miss_probability(double gamma, std::size_t n, double delta_mean_square, double sigma_r, double pf) {
+double log10_miss_probability(double gamma, std::size_t n, double delta_mean_square, double sigma_r,
+                              double pf) {
     return log10_half_erfc(miss_argument(gamma, n, delta_mean_square, sigma_r, pf)); // eq. (5)
 }
 
@@ -78,11 +80,13 @@ double threshold(double pf, std::size_t n, double sigma_r2, double delta_mean_sq
                  double mu_r) {
     require_probability(pf);
     require(n > 0, "the number of base vertices has to be positive", static_cast<double>(n));
-    require(sigma_r2 >= 0 && std::isfinite(sigma_r2), "the variance of the radii can't be negative", sigma_r2);
-    require(delta_mean_square >= 0 && std::isfinite(delta_mean_square), "the mean of Delta^2 can't be negative",
-            delta_mean_square);
+    require(sigma_r2 >= 0 && std::isfinite(sigma_r2), "the variance of the radii can't be negative",
+            sigma_r2);
+    require(delta_mean_square >= 0 && std::isfinite(delta_mean_square),
+            "the mean of Delta^2 can't be negative", delta_mean_square);
     const Real spread = std::sqrt(2 * Real(sigma_r2) * Real(delta_mean_square) / Real(n));
-    return static_cast<double>(spread * boost::math::erfc_inv(2 * Real(pf)) + Real(mu_r) * Real(delta_mean)); // eq. (6)
+    return static_cast<double>(spread * boost::math::erfc_inv(2 * Real(pf)) +
+                               Real(mu_r) * Real(delta_mean)); // eq. (6)
 }
 
 PaperStatistics paper_statistics(std::span<const double> radius, std::span<const double> delta) {

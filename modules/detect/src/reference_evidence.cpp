@@ -17,7 +17,8 @@ namespace {
 
 using Field = std::vector<double>;
 
-/// Band k passes what diffusion for times[k - 1] leaves and for times[k] takes away; the last keeps all that is left.
+/// Band k passes what diffusion for times[k - 1] leaves and for times[k] takes away; the last keeps all that
+/// is left.
 struct Bands {
     const SurfaceFilter& surface;
     const std::vector<double>& times;
@@ -67,9 +68,10 @@ double trusted_median(const Field& values, std::span<const double> trust) {
     return *middle;
 }
 
-/// trust over local variance: averages of squares, divided by the averages of trust so that holes don't look smooth.
-Field inverse_variance(const SurfaceFilter& surface, const Field& e, std::span<const double> trust, double time,
-                       double floor) {
+/// trust over local variance: averages of squares, divided by the averages of trust so that holes don't look
+/// smooth.
+Field inverse_variance(const SurfaceFilter& surface, const Field& e, std::span<const double> trust,
+                       double time, double floor) {
     Field squares(e.size());
     for (std::size_t i = 0; i < e.size(); ++i)
         squares[i] = trust[i] * e[i] * e[i];
@@ -99,8 +101,10 @@ Field weigh_band(const Bands& bands, std::size_t k, const Field& e, std::span<co
     return bands.pass(k, weighed);
 }
 
-/// n . (x - low pass of x) at each time: what smoothing or coarsening of the reference itself would look like.
-Eigen::MatrixXd smoothing_patterns(const TriangleMesh& mesh, std::span<const Vec3> normals, const Bands& bands) {
+/// n . (x - low pass of x) at each time: what smoothing or coarsening of the reference itself would look
+/// like.
+Eigen::MatrixXd smoothing_patterns(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                                   const Bands& bands) {
     std::vector<Field> x(3, Field(mesh.positions.size()));
     for (std::size_t i = 0; i < mesh.positions.size(); ++i)
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -116,15 +120,15 @@ Eigen::MatrixXd smoothing_patterns(const TriangleMesh& mesh, std::span<const Vec
     return patterns;
 }
 
-/// Takes out of e what is a combination of the patterns, where it is trusted, by least squares. A few numbers that the
-/// suspect and its reference determine; no key has a part in it.
+/// Takes out of e what is a combination of the patterns, where it is trusted, by least squares. A few numbers
+/// that the suspect and its reference determine; no key has a part in it.
 Field without_patterns(Field e, std::span<const double> trust, const Eigen::MatrixXd& patterns) {
     const auto n = static_cast<Eigen::Index>(e.size());
     const Eigen::Map<const Eigen::VectorXd> weight(trust.data(), n);
     Eigen::Map<Eigen::VectorXd> difference(e.data(), n);
     const Eigen::MatrixXd normal = patterns.transpose() * weight.asDiagonal() * patterns;
-    const Eigen::VectorXd share =
-        normal.completeOrthogonalDecomposition().solve(patterns.transpose() * weight.cwiseProduct(difference));
+    const Eigen::VectorXd share = normal.completeOrthogonalDecomposition().solve(
+        patterns.transpose() * weight.cwiseProduct(difference));
     difference -= weight.cwiseProduct(patterns * share);
     return e;
 }
@@ -140,8 +144,9 @@ ReferenceEvidence::ReferenceEvidence(const TriangleMesh& reference, std::span<co
     const Field e = without_patterns(Field(difference.begin(), difference.end()), trust,
                                      smoothing_patterns(reference, normals, bands));
     std::vector<Field> of_band(bands.count());
-    parallel_blocks(of_band.size(), 1,
-                    [&](std::size_t k, std::size_t) { of_band[k] = weigh_band(bands, k, e, trust, options); });
+    parallel_blocks(of_band.size(), 1, [&](std::size_t k, std::size_t) {
+        of_band[k] = weigh_band(bands, k, e, trust, options);
+    });
     const std::span<const double> area = surface.mass();
     for (std::size_t i = 0; i < weighed_.size(); ++i) {
         double sum = 0;

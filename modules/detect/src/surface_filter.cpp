@@ -27,8 +27,10 @@ Sparse cotangent_laplacian(const TriangleMesh& mesh) {
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
         const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
         for (int k = 0; k < 3; ++k) {
-            const Index apex = mesh.triangles[f][k], i = mesh.triangles[f][(k + 1) % 3], j = mesh.triangles[f][(k + 2) % 3];
-            const Vec3 a = mesh.positions[i] - mesh.positions[apex], b = mesh.positions[j] - mesh.positions[apex];
+            const Index apex = mesh.triangles[f][k], i = mesh.triangles[f][(k + 1) % 3],
+                        j = mesh.triangles[f][(k + 2) % 3];
+            const Vec3 a = mesh.positions[i] - mesh.positions[apex],
+                       b = mesh.positions[j] - mesh.positions[apex];
             const double weight = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
             triplets.emplace_back(i, i, weight);
             triplets.emplace_back(j, j, weight);
@@ -42,11 +44,13 @@ Sparse cotangent_laplacian(const TriangleMesh& mesh) {
     return laplacian;
 }
 
-/// Residual of the solver, relative to the right-hand side. A mark moves a vertex by a thousandth of the mean radius; an
-/// error of the filter can cost a little power but never a wrong probability, which is exact for any coefficients.
+/// Residual of the solver, relative to the right-hand side. A mark moves a vertex by a thousandth of the mean
+/// radius; an error of the filter can cost a little power but never a wrong probability, which is exact for
+/// any coefficients.
 constexpr double tolerance = 3e-6;
 
-using Solver = Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper, Eigen::DiagonalPreconditioner<double>>;
+using Solver =
+    Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper, Eigen::DiagonalPreconditioner<double>>;
 
 } // namespace
 
@@ -71,7 +75,8 @@ struct SurfaceFilter::Operators {
 SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_unique<Operators>()) {
     operators_->mass = vertex_areas(mesh);
     const double total = surface_area(mesh);
-    // A vertex without area (isolated, or in degenerate triangles alone) still needs a row that can be solved.
+    // A vertex without area (isolated, or in degenerate triangles alone) still needs a row that can be
+    // solved.
     const double least = 1e-9 * total / static_cast<double>(std::max<std::size_t>(mesh.positions.size(), 1));
     for (double& m : operators_->mass)
         m = std::max(m, least);
@@ -86,10 +91,12 @@ SurfaceFilter::~SurfaceFilter() = default;
 SurfaceFilter::SurfaceFilter(SurfaceFilter&&) noexcept = default;
 SurfaceFilter& SurfaceFilter::operator=(SurfaceFilter&&) noexcept = default;
 
-std::span<const double> SurfaceFilter::mass() const { return operators_->mass; }
+std::span<const double> SurfaceFilter::mass() const {
+    return operators_->mass;
+}
 
-std::vector<std::vector<double>> SurfaceFilter::low_pass(double t,
-                                                         const std::vector<std::vector<double>>& vectors) const {
+std::vector<std::vector<double>>
+SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vectors) const {
     const Sparse a = operators_->system(t);
     const auto n = static_cast<Eigen::Index>(operators_->mass.size());
     const ConstMap mass(operators_->mass.data(), n);

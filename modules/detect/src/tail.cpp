@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This work is based on R. Lugannani and S. Rice, "Saddle point approximation for the distribution of the sum of
-// independent random variables" (Adv. Appl. Prob. 12, 1980), and on the Bromwich integral it starts from.
+// This work is based on R. Lugannani and S. Rice, "Saddle point approximation for the distribution of the sum
+// of independent random variables" (Adv. Appl. Prob. 12, 1980), and on the Bromwich integral it starts from.
 #include <wm3d/detect/tail.hpp>
 
 #include <algorithm>
@@ -19,7 +19,8 @@ namespace {
 constexpr double ln10 = std::numbers::ln10;
 constexpr double minus_infinity = -std::numeric_limits<double>::infinity();
 
-/// Root s > 0 of K'(s) = t for 0 < t < maximum. K' is concave for s > 0, so Newton's steps from 0 never overshoot.
+/// Root s > 0 of K'(s) = t for 0 < t < maximum. K' is concave for s > 0, so Newton's steps from 0 never
+/// overshoot.
 double saddlepoint(const LinearStatistic& statistic, double t) {
     double s = t / (statistic.sigma() * statistic.sigma());
     for (int step = 0; step < 200; ++step) {
@@ -37,7 +38,8 @@ double log_normal_tail(double z) {
     if (z < 25)
         return std::log(std::erfc(z / std::numbers::sqrt2) / 2);
     const double u = 1 / (z * z);
-    return -z * z / 2 - std::log(z * std::sqrt(2 * std::numbers::pi)) + std::log1p(u * (-1 + u * (3 - 15 * u)));
+    return -z * z / 2 - std::log(z * std::sqrt(2 * std::numbers::pi)) +
+           std::log1p(u * (-1 + u * (3 - 15 * u)));
 }
 
 /// log of Lugannani and Rice's approximation, t > 0.

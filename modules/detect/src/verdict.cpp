@@ -21,8 +21,10 @@ std::string_view name(Verdict verdict) {
 }
 
 double predicted_miss(double sigmas, double log10_pf, std::size_t hypotheses) {
-    const double log10_share = log10_pf - std::log10(static_cast<double>(std::max<std::size_t>(hypotheses, 1)));
-    const double needed = std::numbers::sqrt2 * boost::math::erfc_inv(2 * std::pow(10.0, std::max(log10_share, -300.0)));
+    const double log10_share =
+        log10_pf - std::log10(static_cast<double>(std::max<std::size_t>(hypotheses, 1)));
+    const double needed =
+        std::numbers::sqrt2 * boost::math::erfc_inv(2 * std::pow(10.0, std::max(log10_share, -300.0)));
     return 0.5 * std::erfc((sigmas - needed) / std::numbers::sqrt2);
 }
 

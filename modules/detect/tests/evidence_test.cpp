@@ -37,7 +37,8 @@ std::vector<double> sequence(std::uint64_t seed) {
     return w;
 }
 
-TriangleMesh marked(TriangleMesh mesh, const sphere::SparseRows& rows, std::span<const double> w, double gamma) {
+TriangleMesh marked(TriangleMesh mesh, const sphere::SparseRows& rows, std::span<const double> w,
+                    double gamma) {
     const std::vector<double> delta = sphere::multiply(rows, w);
     for (std::size_t i = 0; i < delta.size(); ++i)
         mesh.positions[i] *= 1 + gamma * delta[i] / mesh.positions[i].norm();
@@ -81,13 +82,15 @@ TEST_CASE("turning the mesh and the directions together changes nothing") {
     for (Vec3& p : turned.positions)
         p = turn * p;
     const sphere::SparseRows rows = rows_of(host);
-    const LinearStatistic a = Evidence(host).statistic(1, rows, rmax), b = Evidence(turned).statistic(1, rows, rmax);
+    const LinearStatistic a = Evidence(host).statistic(1, rows, rmax),
+                          b = Evidence(turned).statistic(1, rows, rmax);
     const std::vector<double> w = sequence(8);
     CHECK(std::abs(a.value(w) / a.sigma() - b.value(w) / b.sigma()) < 0.02);
 }
 
 TEST_CASE("surfaces that say little are borne: flat, tiny, degenerate") {
-    for (const TriangleMesh& mesh : {shapes::box({1, 1, 1}, 1), shapes::box({1, 2, 3}, 12), shapes::square(1, 8)}) {
+    for (const TriangleMesh& mesh :
+         {shapes::box({1, 1, 1}, 1), shapes::box({1, 2, 3}, 12), shapes::square(1, 8)}) {
         const TriangleMesh base = to_frame(mesh, canonical_frame(mesh));
         const Evidence evidence(base);
         const sphere::SparseRows rows = rows_of(base);

@@ -21,7 +21,8 @@ TEST_CASE("the cumulants are those of uniform numbers") {
         const double a = 1.5 * s, b = 2.0 * s;
         const Cumulants k = cumulants(t, s);
         const double small = std::min(a, b) < 0.05 ? 1e-9 : 1e-13; // log(sinh x / x) itself cancels
-        CHECK(k.k0 == doctest::Approx(std::log(std::sinh(a) / a) + std::log(std::sinh(b) / b)).epsilon(small));
+        CHECK(k.k0 ==
+              doctest::Approx(std::log(std::sinh(a) / a) + std::log(std::sinh(b) / b)).epsilon(small));
     }
     CHECK(cumulants(t, 0).k2 == doctest::Approx(t.sigma() * t.sigma()).epsilon(1e-14));
 }

@@ -22,7 +22,8 @@ TEST_CASE("P_m at the strength where threshold and mean meet is one half") {
 
 TEST_CASE("log10 P_m goes on where P_m underflows") {
     const double p = miss_probability(1.0, 10000, 0.0033, 0.18, 1e-6);
-    CHECK(log10_miss_probability(1.0, 10000, 0.0033, 0.18, 1e-6) == doctest::Approx(std::log10(p)).epsilon(1e-12));
+    CHECK(log10_miss_probability(1.0, 10000, 0.0033, 0.18, 1e-6) ==
+          doctest::Approx(std::log10(p)).epsilon(1e-12));
     const double deep = log10_miss_probability(20.0, 10000, 0.0033, 0.18, 1e-6);
     CHECK(deep < -80000);
     CHECK(std::isfinite(deep));
@@ -30,7 +31,8 @@ TEST_CASE("log10 P_m goes on where P_m underflows") {
     // The two formulas meet at the switch: neighbours on both sides differ smoothly.
     const auto at = [](double gamma) { return log10_miss_probability(gamma, 10000, 0.0033, 0.18, 1e-6); };
     const double gamma = (100 + 3.3612) * std::sqrt(2.0) * 0.18 / std::sqrt(33.0);
-    const double slope_left = at(gamma - 0.02) - at(gamma - 0.04), slope_right = at(gamma + 0.04) - at(gamma + 0.02);
+    const double slope_left = at(gamma - 0.02) - at(gamma - 0.04),
+                 slope_right = at(gamma + 0.04) - at(gamma + 0.02);
     const double step = at(gamma + 0.02) - at(gamma - 0.02);
     CHECK(step == doctest::Approx(slope_left + slope_right).epsilon(1e-5));
 }

@@ -43,7 +43,8 @@ struct Scene {
         const std::vector<Vec3> normals = vertex_normals(mesh);
         const std::vector<double> noise = numbers(difference.size(), 7);
         for (std::size_t i = 0; i < difference.size(); ++i)
-            difference[i] = 0.01 * normals[i].dot(mesh.positions[i].normalized()) * difference[i] + 0.003 * noise[i];
+            difference[i] =
+                0.01 * normals[i].dot(mesh.positions[i].normalized()) * difference[i] + 0.003 * noise[i];
         trust.assign(difference.size(), 1);
     }
 

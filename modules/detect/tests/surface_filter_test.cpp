@@ -34,7 +34,8 @@ TEST_CASE("constants pass, integrals are kept, values never leave their range") 
     const auto smooth = filter.low_pass(0.01, {x, std::vector<double>(x.size(), 2.5)});
     for (double y : smooth[1])
         CHECK(y == doctest::Approx(2.5).epsilon(1e-6));
-    CHECK(std::abs(dot(filter.mass(), smooth[0]) - dot(filter.mass(), x)) < 1e-5 * dot(filter.mass(), std::vector<double>(x.size(), 1.0)));
+    CHECK(std::abs(dot(filter.mass(), smooth[0]) - dot(filter.mass(), x)) <
+          1e-5 * dot(filter.mass(), std::vector<double>(x.size(), 1.0)));
     for (double y : smooth[0])
         CHECK(std::abs(y) <= 1);
 }
@@ -73,7 +74,8 @@ TEST_CASE("degenerate triangles and isolated vertices are borne") {
 TEST_CASE("the same bytes at one thread and at many") {
     const TriangleMesh mesh = shapes::blob(3000, 5);
     const SurfaceFilter filter(mesh);
-    const std::vector<std::vector<double>> x{field(mesh.positions.size(), 1.0), field(mesh.positions.size(), 2.0)};
+    const std::vector<std::vector<double>> x{field(mesh.positions.size(), 1.0),
+                                             field(mesh.positions.size(), 2.0)};
     const auto many = filter.low_pass(0.001, x);
     const ThreadLimit one(1);
     CHECK(filter.low_pass(0.001, x) == many);

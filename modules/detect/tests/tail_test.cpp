@@ -11,13 +11,15 @@ using namespace wm3d::detect;
 
 namespace {
 
-/// log10 P(T >= t) for a sum of n uniform numbers on (-1, 1), from the Irwin-Hall formula near the upper end, where
-/// it is one positive term: (n - t)^n / (2^n n!) for t >= n - 2.
+/// log10 P(T >= t) for a sum of n uniform numbers on (-1, 1), from the Irwin-Hall formula near the upper end,
+/// where it is one positive term: (n - t)^n / (2^n n!) for t >= n - 2.
 double log10_irwin_hall_end(int n, double t) {
     return (n * std::log((n - t) / 2) - std::lgamma(n + 1)) / std::numbers::ln10;
 }
 
-LinearStatistic equal_terms(int n) { return {std::vector<double>(static_cast<std::size_t>(n), 1.0), 1.0}; }
+LinearStatistic equal_terms(int n) {
+    return {std::vector<double>(static_cast<std::size_t>(n), 1.0), 1.0};
+}
 
 /// Coefficients of very different size, as real meshes give.
 LinearStatistic uneven_terms() {
@@ -90,7 +92,8 @@ TEST_CASE("near the mean a normal distribution is close, far out it is not") {
 TEST_CASE("the quantile is where the tail has the probability") {
     const LinearStatistic t = uneven_terms();
     for (double log10_pf : {-0.5, -1.0, -6.0, -50.0, -200.0})
-        CHECK(saddlepoint_log10_tail(t, tail_quantile(t, log10_pf)) == doctest::Approx(log10_pf).epsilon(1e-8));
+        CHECK(saddlepoint_log10_tail(t, tail_quantile(t, log10_pf)) ==
+              doctest::Approx(log10_pf).epsilon(1e-8));
 }
 
 TEST_CASE("a quantile close to the largest value of few terms is found") {
@@ -102,7 +105,8 @@ TEST_CASE("a quantile close to the largest value of few terms is found") {
             const double quantile = tail_quantile(t, log10_pf);
             CHECK(quantile > 0);
             CHECK(quantile <= t.maximum());
-            const double reached = saddlepoint_log10_tail(t, quantile); // flat to rounding next to the maximum
+            const double reached =
+                saddlepoint_log10_tail(t, quantile); // flat to rounding next to the maximum
             CHECK(reached < log10_pf + 1e-6);
             CHECK(reached > log10_pf - 0.1);
         }

@@ -46,7 +46,8 @@ std::vector<Vec3> mark_base(std::span<const Vec3> base, std::span<const double> 
     return marked;
 }
 
-DetailedMesh::DetailedMesh(const TriangleMesh& mesh, const TriangleMesh& base, std::span<const SurfacePoint> place)
+DetailedMesh::DetailedMesh(const TriangleMesh& mesh, const TriangleMesh& base,
+                           std::span<const SurfacePoint> place)
     : base_(base), position_(mesh.positions), detail_(mesh.positions.size(), Vec3::Zero()),
       place_(place.begin(), place.end()) {
     require_same(mesh.positions.size(), place.size(), "every vertex needs a place on the base domain");

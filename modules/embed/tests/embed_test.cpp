@@ -57,7 +57,8 @@ TEST_CASE("base vertices move radially by gamma Delta") {
 TEST_CASE("details ride along, isolated vertices stay") {
     const Fixture f;
     const DetailedMesh detailed(f.mesh, f.base, f.place);
-    const std::vector<Vec3> moved_base = mark_base(f.base.positions, some_bumps(f.base.positions.size()), 0.05);
+    const std::vector<Vec3> moved_base =
+        mark_base(f.base.positions, some_bumps(f.base.positions.size()), 0.05);
     const std::vector<Vec3> moved = detailed.reconstruct(moved_base);
     for (std::size_t i = 0; i < f.base.positions.size(); ++i)
         CHECK((moved[i] - moved_base[i]).norm() < 1e-15);

@@ -15,22 +15,30 @@ namespace {
 constexpr std::size_t block = 16384;
 
 /// Calls f with a value of the C++ type of `type`.
-template <typename F>
+template<typename F>
 auto with_type(Scalar type, F&& f) {
     switch (type) {
-    case Scalar::i8: return f(std::int8_t{});
-    case Scalar::u8: return f(std::uint8_t{});
-    case Scalar::i16: return f(std::int16_t{});
-    case Scalar::u16: return f(std::uint16_t{});
-    case Scalar::i32: return f(std::int32_t{});
-    case Scalar::u32: return f(std::uint32_t{});
-    case Scalar::f32: return f(float{});
-    case Scalar::f64: break;
+    case Scalar::i8:
+        return f(std::int8_t{});
+    case Scalar::u8:
+        return f(std::uint8_t{});
+    case Scalar::i16:
+        return f(std::int16_t{});
+    case Scalar::u16:
+        return f(std::uint16_t{});
+    case Scalar::i32:
+        return f(std::int32_t{});
+    case Scalar::u32:
+        return f(std::uint32_t{});
+    case Scalar::f32:
+        return f(float{});
+    case Scalar::f64:
+        break;
     }
     return f(double{});
 }
 
-template <typename T>
+template<typename T>
 void swap_bytes(T& value) {
     char raw[sizeof(T)];
     std::memcpy(raw, &value, sizeof(T));
@@ -39,7 +47,7 @@ void swap_bytes(T& value) {
 }
 
 /// Nearest finite value of T; halves go to even, as floating-point rounding does.
-template <typename T>
+template<typename T>
 T to_nearest(double value) {
     using Limits = std::numeric_limits<T>;
     value = std::clamp(value, static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max()));
@@ -54,14 +62,17 @@ std::size_t size_of(Scalar type) {
     return with_type(type, [](auto t) { return sizeof(t); });
 }
 
-bool is_integer(Scalar type) { return type != Scalar::f32 && type != Scalar::f64; }
+bool is_integer(Scalar type) {
+    return type != Scalar::f32 && type != Scalar::f64;
+}
 
 bool is_signed(Scalar type) {
     return with_type(type, [](auto t) { return std::numeric_limits<decltype(t)>::is_signed; });
 }
 
 double largest_integer(Scalar type) {
-    return with_type(type, [](auto t) { return static_cast<double>(std::numeric_limits<decltype(t)>::max()); });
+    return with_type(type,
+                     [](auto t) { return static_cast<double>(std::numeric_limits<decltype(t)>::max()); });
 }
 
 double load(const char* at, Scalar type, bool swap) {
@@ -104,7 +115,8 @@ Vec3 BinaryStore::add(std::size_t offset) {
     records_.push_back(offset);
     Vec3 position;
     for (std::size_t k = 0; k < 3; ++k)
-        position[static_cast<int>(k)] = load(bytes_.data() + offset + layout_.within[k], layout_.types[k], layout_.swap);
+        position[static_cast<int>(k)] =
+            load(bytes_.data() + offset + layout_.within[k], layout_.types[k], layout_.swap);
     return position;
 }
 
@@ -128,14 +140,16 @@ std::vector<Vec3> BinaryStore::settle(const Welding& welding, std::span<const Ve
     return settled;
 }
 
-PatchedFiles BinaryStore::patch(const Welding& welding, std::span<const Vec3> wanted, std::string_view) const {
+PatchedFiles BinaryStore::patch(const Welding& welding, std::span<const Vec3> wanted,
+                                std::string_view) const {
     std::string out(bytes_);
     for (std::size_t slot = 0; slot < records_.size(); ++slot) {
         const Index v = welding.vertex_of_slot[slot];
         for (std::size_t k = 0; k < 3; ++k) {
             const int axis = static_cast<int>(k);
             if (wanted[v][axis] != welding.mesh.positions[v][axis])
-                save(out.data() + records_[slot] + layout_.within[k], layout_.types[k], layout_.swap, wanted[v][axis]);
+                save(out.data() + records_[slot] + layout_.within[k], layout_.types[k], layout_.swap,
+                     wanted[v][axis]);
         }
     }
     return {std::move(out), {}};

@@ -29,14 +29,16 @@ double nearest(Scalar type, double value);
 /// Distance of neighbouring values near `magnitude`.
 double step_near(Scalar type, double magnitude);
 
-constexpr bool swaps(std::endian file) { return file != std::endian::native; }
+constexpr bool swaps(std::endian file) {
+    return file != std::endian::native;
+}
 
 /// Coordinates as numbers at computed or listed places of a binary file.
 class BinaryStore final : public CoordinateStore {
 public:
     struct Layout {
         std::array<Scalar, 3> types{Scalar::f32, Scalar::f32, Scalar::f32}; ///< of x, y, z
-        std::array<std::size_t, 3> within{0, 4, 8}; ///< their offsets in a record
+        std::array<std::size_t, 3> within{0, 4, 8};                         ///< their offsets in a record
         bool swap = false;
     };
 

@@ -56,11 +56,12 @@ std::string ply_header(const TriangleMesh& mesh, const EncodeOptions& options) {
         return given.empty() ? "" : "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     };
     const std::string_view type = options.double_precision ? "double" : "float";
-    return fmt::format("ply\nformat {} 1.0\n{}element vertex {}\nproperty {} x\nproperty {} y\nproperty {} z\n{}"
-                       "element face {}\nproperty list uchar int vertex_indices\n{}end_header\n",
-                       options.ascii ? "ascii" : "binary_little_endian",
-                       options.comment.empty() ? "" : "comment " + options.comment + "\n", mesh.positions.size(), type,
-                       type, type, colors(options.vertex_colors), mesh.triangles.size(), colors(options.face_colors));
+    return fmt::format(
+        "ply\nformat {} 1.0\n{}element vertex {}\nproperty {} x\nproperty {} y\nproperty {} z\n{}"
+        "element face {}\nproperty list uchar int vertex_indices\n{}end_header\n",
+        options.ascii ? "ascii" : "binary_little_endian",
+        options.comment.empty() ? "" : "comment " + options.comment + "\n", mesh.positions.size(), type, type,
+        type, colors(options.vertex_colors), mesh.triangles.size(), colors(options.face_colors));
 }
 
 std::string encode_ply_text(const TriangleMesh& mesh, const EncodeOptions& options) {
@@ -115,7 +116,8 @@ std::string encode_obj(const TriangleMesh& mesh, const EncodeOptions& options) {
         out += '\n';
     }
     for (const Triangle& t : mesh.triangles)
-        out += fmt::format("f {} {} {}\n", std::size_t{t[0]} + 1, std::size_t{t[1]} + 1, std::size_t{t[2]} + 1);
+        out +=
+            fmt::format("f {} {} {}\n", std::size_t{t[0]} + 1, std::size_t{t[1]} + 1, std::size_t{t[2]} + 1);
     return out;
 }
 
@@ -186,9 +188,10 @@ void check_coordinates(const TriangleMesh& mesh, bool as_float) {
                                     : std::numeric_limits<double>::max();
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         if (!mesh.positions[v].allFinite() || mesh.positions[v].cwiseAbs().maxCoeff() > largest)
-            throw GeometryError(fmt::format("vertex {} has a coordinate that the file can't hold (not finite, or beyond "
-                                            "{:g}); scale the mesh down",
-                                            v, largest));
+            throw GeometryError(
+                fmt::format("vertex {} has a coordinate that the file can't hold (not finite, or beyond "
+                            "{:g}); scale the mesh down",
+                            v, largest));
 }
 
 void check_colors(const TriangleMesh& mesh, Format format, const EncodeOptions& options) {
@@ -197,8 +200,8 @@ void check_colors(const TriangleMesh& mesh, Format format, const EncodeOptions& 
         (face && options.face_colors.size() != mesh.triangles.size()))
         throw ParameterError("the number of colours is not that of the vertices or faces");
     if ((format == Format::stl && (vertex || face)) || (format == Format::obj && face))
-        throw ParameterError(fmt::format("{} can't hold {} colours; write PLY, OFF or GLB instead", name_of(format),
-                                         vertex ? "vertex" : "face"));
+        throw ParameterError(fmt::format("{} can't hold {} colours; write PLY, OFF or GLB instead",
+                                         name_of(format), vertex ? "vertex" : "face"));
     if ((format == Format::glb || format == Format::gltf) && vertex && face)
         throw ParameterError("glTF holds vertex colours or face colours, not both");
     if (options.comment.find_first_of("\r\n") != std::string::npos)
@@ -212,12 +215,18 @@ std::string encode(const TriangleMesh& mesh, Format format, const EncodeOptions&
     const bool text_of_doubles = format == Format::obj || format == Format::off;
     check_coordinates(mesh, !text_of_doubles && !(format == Format::ply && options.double_precision));
     switch (format) {
-    case Format::obj: return encode_obj(mesh, options);
-    case Format::off: return encode_off(mesh, options);
-    case Format::ply: return options.ascii ? encode_ply_text(mesh, options) : encode_ply_binary(mesh, options);
-    case Format::stl: return options.ascii ? encode_stl_text(mesh) : encode_stl_binary(mesh);
-    case Format::gltf: return encode_gltf(mesh, options, false);
-    case Format::glb: return encode_gltf(mesh, options, true);
+    case Format::obj:
+        return encode_obj(mesh, options);
+    case Format::off:
+        return encode_off(mesh, options);
+    case Format::ply:
+        return options.ascii ? encode_ply_text(mesh, options) : encode_ply_binary(mesh, options);
+    case Format::stl:
+        return options.ascii ? encode_stl_text(mesh) : encode_stl_binary(mesh);
+    case Format::gltf:
+        return encode_gltf(mesh, options, false);
+    case Format::glb:
+        return encode_gltf(mesh, options, true);
     }
     throw ParameterError("unknown file format");
 }

@@ -65,14 +65,18 @@ struct Builder {
 
     /// Declares what was appended since `begin`. \return the accessor's number
     std::size_t declare(std::size_t begin, int target, Json accessor) {
-        views.push_back({{"buffer", 0}, {"byteOffset", begin}, {"byteLength", buffer.size() - begin}, {"target", target}});
+        views.push_back({{"buffer", 0},
+                         {"byteOffset", begin},
+                         {"byteLength", buffer.size() - begin},
+                         {"target", target}});
         accessor["bufferView"] = views.size() - 1;
         accessors.push_back(std::move(accessor));
         return accessors.size() - 1;
     }
 };
 
-Json build_asset(const TriangleMesh& mesh, const Vertices& vertices, const EncodeOptions& options, Builder& builder) {
+Json build_asset(const TriangleMesh& mesh, const Vertices& vertices, const EncodeOptions& options,
+                 Builder& builder) {
     constexpr int array_buffer = 34962, element_array_buffer = 34963;
     Json primitive{{"attributes", Json::object()}};
     for (Index v : vertices.position)
@@ -91,24 +95,28 @@ Json build_asset(const TriangleMesh& mesh, const Vertices& vertices, const Encod
                 put(builder.buffer, Scalar::u8, channel);
             put(builder.buffer, Scalar::u8, 255); // opaque; also aligns to four bytes
         }
-        primitive["attributes"]["COLOR_0"] =
-            builder.declare(begin, array_buffer,
-                            {{"componentType", 5121}, {"normalized", true}, {"count", vertices.color.size()}, {"type", "VEC4"}});
+        primitive["attributes"]["COLOR_0"] = builder.declare(begin, array_buffer,
+                                                             {{"componentType", 5121},
+                                                              {"normalized", true},
+                                                              {"count", vertices.color.size()},
+                                                              {"type", "VEC4"}});
     }
     const std::size_t begin = builder.buffer.size();
     for (const Triangle& t : vertices.triangles)
         for (Index v : t)
             put(builder.buffer, Scalar::u32, v);
     primitive["indices"] = builder.declare(
-        begin, element_array_buffer, {{"componentType", 5125}, {"count", 3 * vertices.triangles.size()}, {"type", "SCALAR"}});
-    return {{"asset", {{"version", "2.0"}, {"generator", options.comment.empty() ? "wm3d" : options.comment}}},
-            {"scene", 0},
-            {"scenes", {{{"nodes", {0}}}}},
-            {"nodes", {{{"mesh", 0}}}},
-            {"meshes", {{{"primitives", Json::array({std::move(primitive)})}}}},
-            {"accessors", builder.accessors},
-            {"bufferViews", builder.views},
-            {"buffers", Json::array({{{"byteLength", builder.buffer.size()}}})}};
+        begin, element_array_buffer,
+        {{"componentType", 5125}, {"count", 3 * vertices.triangles.size()}, {"type", "SCALAR"}});
+    return {
+        {"asset", {{"version", "2.0"}, {"generator", options.comment.empty() ? "wm3d" : options.comment}}},
+        {"scene", 0},
+        {"scenes", {{{"nodes", {0}}}}},
+        {"nodes", {{{"mesh", 0}}}},
+        {"meshes", {{{"primitives", Json::array({std::move(primitive)})}}}},
+        {"accessors", builder.accessors},
+        {"bufferViews", builder.views},
+        {"buffers", Json::array({{{"byteLength", builder.buffer.size()}}})}};
 }
 
 void put_chunk(std::string& out, std::string_view type, std::string_view data, char padding) {
@@ -121,7 +129,8 @@ void put_chunk(std::string& out, std::string_view type, std::string_view data, c
 } // namespace
 
 std::string encode_gltf(const TriangleMesh& mesh, const EncodeOptions& options, bool binary) {
-    const Vertices vertices = options.face_colors.empty() ? shared_vertices(mesh, options) : corner_vertices(mesh, options);
+    const Vertices vertices =
+        options.face_colors.empty() ? shared_vertices(mesh, options) : corner_vertices(mesh, options);
     Builder builder;
     Json asset = build_asset(mesh, vertices, options, builder);
     if (!binary) {

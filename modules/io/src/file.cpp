@@ -38,8 +38,8 @@ private:
 };
 
 [[noreturn]] void fail_reading(const std::filesystem::path& path, int error) {
-    throw InputError(fmt::format("{}: the file can't be read: {}", path.string(),
-                                 std::generic_category().message(error)));
+    throw InputError(
+        fmt::format("{}: the file can't be read: {}", path.string(), std::generic_category().message(error)));
 }
 
 [[noreturn]] void fail_writing(const std::filesystem::path& path, int error) {
@@ -99,7 +99,8 @@ void refuse_existing(const std::filesystem::path& path, const WriteOptions& opti
 class TemporaryFile {
 public:
     explicit TemporaryFile(const std::filesystem::path& target)
-        : target_(target), path_((target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string()),
+        : target_(target),
+          path_((target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string()),
           file_(::mkstemp(path_.data())) {
         if (file_.get() < 0)
             fail_writing(target_, errno);

@@ -19,7 +19,9 @@ bool starts_with_word(std::string_view text, std::string_view word) {
 
 } // namespace
 
-std::string_view name_of(Format format) { return names[static_cast<std::size_t>(format)]; }
+std::string_view name_of(Format format) {
+    return names[static_cast<std::size_t>(format)];
+}
 
 std::optional<Format> format_of_name(std::string_view name) {
     std::string ending(name.substr(name.rfind('.') + 1)); // npos + 1 is 0: a bare name
@@ -42,7 +44,8 @@ std::optional<Format> format_of_content(std::string_view bytes) {
     if (starts_with_word(bytes, "solid") && bytes.substr(0, 1000).find("facet") != std::string_view::npos)
         return Format::stl;
     const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-    if (first != std::string_view::npos && bytes[first] == '{' && bytes.find("\"asset\"") != std::string_view::npos)
+    if (first != std::string_view::npos && bytes[first] == '{' &&
+        bytes.find("\"asset\"") != std::string_view::npos)
         return Format::gltf;
     return std::nullopt;
 }

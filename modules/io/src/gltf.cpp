@@ -29,7 +29,8 @@ public:
         for (const PlacedMesh& placed : gltf_placed_meshes(file_))
             read_mesh(placed);
         refuse_overlaps();
-        document_.store = std::make_unique<GltfStore>(std::move(file_), std::move(blocks_), std::move(instances_));
+        document_.store =
+            std::make_unique<GltfStore>(std::move(file_), std::move(blocks_), std::move(instances_));
         return std::move(document_);
     }
 
@@ -59,9 +60,10 @@ private:
     std::size_t position_accessor(const Json& primitive, std::size_t mesh) const {
         if (const auto extensions = primitive.find("extensions");
             extensions != primitive.end() && extensions->contains("KHR_draco_mesh_compression"))
-            source().fail(fmt::format("mesh {} is compressed with Draco, which wm3d does not read; save the file "
-                                      "without compression",
-                                      mesh));
+            source().fail(
+                fmt::format("mesh {} is compressed with Draco, which wm3d does not read; save the file "
+                            "without compression",
+                            mesh));
         const auto attributes = primitive.find("attributes");
         if (attributes == primitive.end() || !attributes->is_object() || !attributes->contains("POSITION"))
             source().fail(fmt::format("a primitive of mesh {} has no positions", mesh));
@@ -73,8 +75,8 @@ private:
         if (const auto known = block_of_accessor_.find(accessor_number); known != block_of_accessor_.end())
             return known->second;
         const GltfAccessor a = gltf_position_accessor(file_, accessor_number);
-        const auto [place, is_new] =
-            block_of_bytes_.try_emplace(Bytes{a.buffer, a.offset, a.stride, a.count, a.type, a.unit}, blocks_.size());
+        const auto [place, is_new] = block_of_bytes_.try_emplace(
+            Bytes{a.buffer, a.offset, a.stride, a.count, a.type, a.unit}, blocks_.size());
         const std::size_t block = place->second;
         if (is_new) {
             blocks_.push_back({a, {}, elements_});
@@ -88,14 +90,15 @@ private:
 
     void add_instance(std::size_t block, const Placement& placement) {
         if (document_.positions.size() + local_[block].size() > most_slots)
-            source().fail(fmt::format("its instances show more than {} vertices, which is more than wm3d takes",
-                                      most_slots));
+            source().fail(fmt::format(
+                "its instances show more than {} vertices, which is more than wm3d takes", most_slots));
         instances_.push_back({block, placement, document_.positions.size()});
         for (std::size_t i = 0; i < local_[block].size(); ++i) {
             const Vec3 position = placement(local_[block][i]);
             if (!position.allFinite())
-                source().fail(fmt::format("element {} of accessor {} is not finite; wm3d needs finite coordinates", i,
-                                          blocks_[block].accessor.number));
+                source().fail(
+                    fmt::format("element {} of accessor {} is not finite; wm3d needs finite coordinates", i,
+                                blocks_[block].accessor.number));
             document_.positions.push_back(position);
         }
     }
@@ -124,15 +127,17 @@ private:
                                         sorted[j].offset < sorted[i].end();
                  ++j)
                 if (!interleaved(sorted[i], sorted[j]))
-                    source().fail(fmt::format("the positions of accessors {} and {} overlap in their buffer, so they "
-                                              "can't be changed one by one",
-                                              sorted[i].number, sorted[j].number));
+                    source().fail(
+                        fmt::format("the positions of accessors {} and {} overlap in their buffer, so they "
+                                    "can't be changed one by one",
+                                    sorted[i].number, sorted[j].number));
     }
 
     /// Whether b's elements stand in the gaps between a's.
     static bool interleaved(const GltfAccessor& a, const GltfAccessor& b) {
         const std::size_t shift = (b.offset - a.offset) % a.stride;
-        return a.stride == b.stride && shift >= 3 * size_of(a.type) && shift + 3 * size_of(b.type) <= a.stride;
+        return a.stride == b.stride && shift >= 3 * size_of(a.type) &&
+               shift + 3 * size_of(b.type) <= a.stride;
     }
 
     GltfFile file_;
@@ -155,7 +160,11 @@ Document read_asset(const Source& source, bool binary, const Resolver& resolver)
 
 } // namespace
 
-Document read_gltf(const Source& source, const Resolver& resolver) { return read_asset(source, false, resolver); }
-Document read_glb(const Source& source, const Resolver& resolver) { return read_asset(source, true, resolver); }
+Document read_gltf(const Source& source, const Resolver& resolver) {
+    return read_asset(source, false, resolver);
+}
+Document read_glb(const Source& source, const Resolver& resolver) {
+    return read_asset(source, true, resolver);
+}
 
 } // namespace wm3d::io

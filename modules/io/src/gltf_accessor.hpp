@@ -15,10 +15,12 @@ struct GltfAccessor {
     std::size_t stride = 0;
     std::size_t count = 0;
     Scalar type = Scalar::f32;
-    double unit = 1; ///< what an integer is multiplied with: normalized types
+    double unit = 1;     ///< what an integer is multiplied with: normalized types
     bool clamps = false; ///< signed normalized: the lowest integer means -1 as its neighbour does
 
-    std::size_t end() const { return count == 0 ? offset : offset + (count - 1) * stride + 3 * size_of(type); }
+    std::size_t end() const {
+        return count == 0 ? offset : offset + (count - 1) * stride + 3 * size_of(type);
+    }
 };
 
 /// \throw InputError  if it is no VEC3, compressed, sparse, or reaches out of its buffer

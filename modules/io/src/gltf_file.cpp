@@ -23,11 +23,13 @@ std::size_t u32_at(std::string_view bytes, std::size_t offset) {
 std::string percent_decoded(std::string_view uri) {
     std::string out;
     const auto digit = [](char c) {
-        return std::isdigit(static_cast<unsigned char>(c)) != 0 ? c - '0'
-                                                               : std::tolower(static_cast<unsigned char>(c)) - 'a' + 10;
+        return std::isdigit(static_cast<unsigned char>(c)) != 0
+                   ? c - '0'
+                   : std::tolower(static_cast<unsigned char>(c)) - 'a' + 10;
     };
     for (std::size_t i = 0; i < uri.size(); ++i)
-        if (uri[i] == '%' && i + 2 < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[i + 1])) != 0 &&
+        if (uri[i] == '%' && i + 2 < uri.size() &&
+            std::isxdigit(static_cast<unsigned char>(uri[i + 1])) != 0 &&
             std::isxdigit(static_cast<unsigned char>(uri[i + 2])) != 0) {
             out.push_back(static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2])));
             i += 2;
@@ -89,7 +91,8 @@ void GltfFile::parse_json() {
     if (!json_.is_object() || !json_.contains("asset"))
         source_.fail("its JSON has no \"asset\", so it is no glTF file");
     const Json& asset = json_["asset"];
-    const std::string version = asset.is_object() && asset.contains("version") ? asset["version"].dump() : "unknown";
+    const std::string version =
+        asset.is_object() && asset.contains("version") ? asset["version"].dump() : "unknown";
     if (!version.starts_with("\"2"))
         source_.fail(fmt::format("this is version {} of glTF; wm3d reads version 2", version));
 }
@@ -143,8 +146,8 @@ void GltfFile::load(std::size_t number) {
     }
     const std::size_t length = gltf_size(source_, entry, "byteLength", buffer.bytes.size());
     if (length > buffer.bytes.size())
-        source_.fail(fmt::format("buffer {} should have {} bytes, but has {}; it is cut short", number, length,
-                                 buffer.bytes.size()));
+        source_.fail(fmt::format("buffer {} should have {} bytes, but has {}; it is cut short", number,
+                                 length, buffer.bytes.size()));
     buffer.bytes = buffer.bytes.substr(0, length);
     buffer.loaded = true;
 }
@@ -164,14 +167,16 @@ std::size_t gltf_size(const Source& source, const Json& object, const char* key,
     if (found == object.end())
         return missing;
     if (!found->is_number_unsigned())
-        source.fail(fmt::format("\"{}\" in its JSON is {}, but should be a whole number from 0", key, found->dump()));
+        source.fail(
+            fmt::format("\"{}\" in its JSON is {}, but should be a whole number from 0", key, found->dump()));
     return found->get<std::size_t>();
 }
 
 const Json& gltf_entry(const Source& source, const Json& root, const char* key, std::size_t number) {
     const Json& array = gltf_array(source, root, key);
     if (number >= array.size())
-        source.fail(fmt::format("its JSON names entry {} of \"{}\", but there are {}", number, key, array.size()));
+        source.fail(
+            fmt::format("its JSON names entry {} of \"{}\", but there are {}", number, key, array.size()));
     if (!array[number].is_object())
         source.fail(fmt::format("entry {} of \"{}\" in its JSON is no object", number, key));
     return array[number];

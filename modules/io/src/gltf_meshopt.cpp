@@ -59,7 +59,8 @@ bool unpack(const Packed& p, std::string& out) {
         return meshopt_decodeVertexBuffer(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
     if (p.mode == "TRIANGLES")
         return meshopt_decodeIndexBuffer(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
-    return p.mode == "INDICES" && meshopt_decodeIndexSequence(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
+    return p.mode == "INDICES" &&
+           meshopt_decodeIndexSequence(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
 }
 
 void undo_filter(const Packed& p, std::string& out) {
@@ -83,17 +84,19 @@ std::string gltf_unpacked(GltfFile& file, std::size_t view, const Json& extensio
             return out;
         }
     }
-    file.source().fail(fmt::format("buffer view {} can't be unpacked (EXT_meshopt_compression); the file is damaged or "
-                                   "packed in a newer way, so save it without compression",
-                                   view));
+    file.source().fail(
+        fmt::format("buffer view {} can't be unpacked (EXT_meshopt_compression); the file is damaged or "
+                    "packed in a newer way, so save it without compression",
+                    view));
 }
 
 #else
 
 std::string gltf_unpacked(GltfFile& file, std::size_t view, const Json&) {
-    file.source().fail(fmt::format("buffer view {} is compressed with EXT_meshopt_compression, which this build, made "
-                                   "without meshoptimizer, does not read; save the file without compression",
-                                   view));
+    file.source().fail(
+        fmt::format("buffer view {} is compressed with EXT_meshopt_compression, which this build, made "
+                    "without meshoptimizer, does not read; save the file without compression",
+                    view));
 }
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Normals of a patched glTF asset. They are written as positions are: through a store whose blocks are the accessors
-// of normals, each shown once at the origin, for positions and normals turn in the mesh's own coordinates.
+// Normals of a patched glTF asset. They are written as positions are: through a store whose blocks are the
+// accessors of normals, each shown once at the origin, for positions and normals turn in the mesh's own
+// coordinates.
 #include <map>
 #include <numeric>
 #include <set>
@@ -22,7 +23,8 @@ public:
         for (const PlacedMesh& placed : gltf_placed_meshes(after_))
             meshes.insert(placed.mesh);
         for (std::size_t mesh : meshes)
-            for (const Json& primitive : gltf_array(source(), gltf_entry(source(), after_.json(), "meshes", mesh), "primitives"))
+            for (const Json& primitive :
+                 gltf_array(source(), gltf_entry(source(), after_.json(), "meshes", mesh), "primitives"))
                 add(primitive);
         refuse_several_files();
     }
@@ -68,7 +70,8 @@ private:
     std::size_t block_of(std::size_t number) {
         const auto [place, is_new] = block_of_accessor_.try_emplace(number, blocks_.size());
         if (is_new) {
-            const GltfAccessor accessor = gltf_position_accessor(after_, number); // VEC3 too, and perhaps normalized
+            const GltfAccessor accessor =
+                gltf_position_accessor(after_, number); // VEC3 too, and perhaps normalized
             blocks_.push_back({accessor, {number}, values_.size()});
             instances_.push_back({place->second, {}, values_.size()});
             append(values_, GltfStore::local_positions(after_, accessor));
@@ -86,8 +89,9 @@ private:
         for (std::size_t b : buffers_)
             external += after_.buffers()[b].home == GltfFile::Home::external ? 1 : 0;
         if (external > 1)
-            source().fail("its positions and normals lie in several external buffers, so its normals can't be "
-                          "recomputed; keep them, or save the file as GLB");
+            source().fail(
+                "its positions and normals lie in several external buffers, so its normals can't be "
+                "recomputed; keep them, or save the file as GLB");
     }
 
     GltfFile before_, after_;

@@ -12,8 +12,9 @@ namespace wm3d::io {
 namespace {
 
 /// N numbers of a member, or `missing`.
-template <std::size_t N>
-std::array<double, N> numbers(const Source& source, const Json& node, const char* key, std::array<double, N> missing) {
+template<std::size_t N>
+std::array<double, N> numbers(const Source& source, const Json& node, const char* key,
+                              std::array<double, N> missing) {
     const Json& array = gltf_array(source, node, key);
     if (!node.contains(key))
         return missing;
@@ -63,7 +64,8 @@ std::vector<std::size_t> roots(const GltfFile& file) {
     const Source& source = file.source();
     const Json& json = file.json();
     if (!gltf_array(source, json, "scenes").empty())
-        return numbers_of_nodes(source, gltf_entry(source, json, "scenes", gltf_size(source, json, "scene", 0)), "nodes");
+        return numbers_of_nodes(
+            source, gltf_entry(source, json, "scenes", gltf_size(source, json, "scene", 0)), "nodes");
     const std::size_t count = gltf_array(source, json, "nodes").size();
     std::vector<bool> is_child(count, false);
     for (std::size_t n = 0; n < count; ++n)
@@ -101,7 +103,8 @@ std::vector<PlacedMesh> gltf_placed_meshes(const GltfFile& file) {
         const Placement local = local_placement(source, node);
         const Placement world{parent.linear * local.linear, parent(local.translation)};
         if (node.contains("mesh"))
-            placed.push_back({gltf_size(source, node, "mesh", 0), node.contains("skin") ? Placement{} : world});
+            placed.push_back(
+                {gltf_size(source, node, "mesh", 0), node.contains("skin") ? Placement{} : world});
         push(numbers_of_nodes(source, node, "children"), world);
     }
     if (placed.empty())

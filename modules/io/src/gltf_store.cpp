@@ -25,7 +25,9 @@ double from_stored(const GltfAccessor& a, double stored) {
 }
 
 /// Number to store so that it reads back nearest to `value`.
-double to_stored(const GltfAccessor& a, double value) { return nearest(a.type, value / a.unit); }
+double to_stored(const GltfAccessor& a, double value) {
+    return nearest(a.type, value / a.unit);
+}
 
 const char* element_at(const GltfAccessor& a, const char* buffer, std::size_t i, int axis) {
     return buffer + a.offset + i * a.stride + static_cast<std::size_t>(axis) * size_of(a.type);
@@ -46,7 +48,8 @@ std::string percent_encoded(std::string_view name) {
     std::string uri;
     for (char c : name) {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte < 128 && (std::isalnum(byte) != 0 || std::string_view("-._~").find(c) != std::string_view::npos))
+        if (byte < 128 &&
+            (std::isalnum(byte) != 0 || std::string_view("-._~").find(c) != std::string_view::npos))
             uri.push_back(c);
         else
             uri += fmt::format("%{:02X}", byte);
@@ -57,7 +60,9 @@ std::string percent_encoded(std::string_view name) {
 /// Sets of elements that hang together through shared vertices.
 class DisjointSets {
 public:
-    explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), Index{0}); }
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), Index{0});
+    }
     Index find(Index i) {
         while (parent_[i] != i) {
             parent_[i] = parent_[parent_[i]];
@@ -78,8 +83,8 @@ private:
 
 /// New local positions of elements and which elements really move.
 struct GltfStore::Moves {
-    std::vector<Vec3> local;       ///< #elements, as they will be stored
-    std::vector<Vec3> world;       ///< #slots
+    std::vector<Vec3> local;         ///< #elements, as they will be stored
+    std::vector<Vec3> world;         ///< #slots
     std::vector<std::uint8_t> moved; ///< #elements
 };
 
@@ -96,7 +101,8 @@ std::vector<Vec3> GltfStore::local_positions(GltfFile& file, const GltfAccessor&
     std::vector<Vec3> positions(accessor.count);
     for (std::size_t i = 0; i < accessor.count; ++i)
         for (int k = 0; k < 3; ++k)
-            positions[i][k] = from_stored(accessor, load(element_at(accessor, buffer, i, k), accessor.type, swap));
+            positions[i][k] =
+                from_stored(accessor, load(element_at(accessor, buffer, i, k), accessor.type, swap));
     return positions;
 }
 
@@ -113,7 +119,8 @@ double GltfStore::step(const Welding& welding) const {
             if (used[welding.vertex_of_slot[instance.first_slot + i]] != 0)
                 largest = largest.cwiseMax(local_[block.first_element + i].cwiseAbs());
         for (int k = 0; k < 3; ++k) {
-            const double local_step = step_near(block.accessor.type, largest[k] / block.accessor.unit) * block.accessor.unit;
+            const double local_step =
+                step_near(block.accessor.type, largest[k] / block.accessor.unit) * block.accessor.unit;
             coarsest = std::max(coarsest, local_step * instance.placement.linear.col(k).norm());
         }
     }
@@ -179,7 +186,8 @@ void GltfStore::keep_seams_closed(const Welding& welding, Moves& moves) const {
 }
 
 GltfStore::Moves GltfStore::plan(const Welding& welding, std::span<const Vec3> wanted) const {
-    Moves moves{local_, std::vector<Vec3>(welding.vertex_of_slot.size()), std::vector<std::uint8_t>(local_.size(), 0)};
+    Moves moves{local_, std::vector<Vec3>(welding.vertex_of_slot.size()),
+                std::vector<std::uint8_t>(local_.size(), 0)};
     average_instances(welding, wanted, moves);
     for (const GltfInstance& instance : instances_) {
         const GltfBlock& block = blocks_[instance.block];
@@ -209,10 +217,12 @@ std::vector<std::string> GltfStore::moved_buffers(const Moves& moves) const {
             if (moves.moved[e] == 0)
                 continue;
             if (buffer.home == GltfFile::Home::unpacked)
-                file_.source().fail("its positions are compressed with EXT_meshopt_compression, which wm3d reads but does "
-                                    "not write; save the file without compression to change it");
+                file_.source().fail(
+                    "its positions are compressed with EXT_meshopt_compression, which wm3d reads but does "
+                    "not write; save the file without compression to change it");
             if (changed[a.buffer].empty()) // all that the buffer's file holds, even beyond byteLength
-                changed[a.buffer] = buffer.home == GltfFile::Home::chunk ? std::string(buffer.bytes) : buffer.own;
+                changed[a.buffer] =
+                    buffer.home == GltfFile::Home::chunk ? std::string(buffer.bytes) : buffer.own;
             for (int k = 0; k < 3; ++k)
                 if (moves.local[e][k] != local_[e][k])
                     save(const_cast<char*>(element_at(a, changed[a.buffer].data(), i, k)), a.type, swap,
@@ -223,7 +233,8 @@ std::vector<std::string> GltfStore::moved_buffers(const Moves& moves) const {
 }
 
 /// Replaces the bounds of an accessor that its moved elements changed.
-void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan accessor, JsonEdits& edits) const {
+void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan accessor,
+                            JsonEdits& edits) const {
     const std::string_view text = file_.text();
     const auto extreme = [&](const std::vector<Vec3>& points, bool least) {
         Vec3 result = points[block.first_element];
@@ -239,8 +250,8 @@ void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan
         const auto numbers = json_elements(text, bound.value_or(JsonSpan{}));
         for (std::size_t k = 0; k < numbers.size() && k < 3; ++k)
             if (const int axis = static_cast<int>(k); before[axis] != after[axis])
-                edits[numbers[k].begin] = {numbers[k],
-                                           number_text(block.accessor.type, to_stored(block.accessor, after[axis]))};
+                edits[numbers[k].begin] = {
+                    numbers[k], number_text(block.accessor.type, to_stored(block.accessor, after[axis]))};
     }
 }
 
@@ -291,7 +302,8 @@ std::string rebuilt_glb(const GltfFile& file, std::string text, const std::strin
 
 } // namespace
 
-PatchedFiles GltfStore::patch(const Welding& welding, std::span<const Vec3> wanted, std::string_view output_name) const {
+PatchedFiles GltfStore::patch(const Welding& welding, std::span<const Vec3> wanted,
+                              std::string_view output_name) const {
     const Moves moves = plan(welding, wanted);
     std::vector<std::string> changed = moved_buffers(moves);
     std::vector<std::string> uris(changed.size());
@@ -310,7 +322,8 @@ PatchedFiles GltfStore::patch(const Welding& welding, std::span<const Vec3> want
             uris[b] = "data:application/octet-stream;base64," + to_base64(changed[b]);
         } else {
             const std::size_t number = files.side_files.size();
-            const std::string name = fmt::format("{}{}.bin", stem, number == 0 ? "" : fmt::format("-{}", number));
+            const std::string name =
+                fmt::format("{}{}.bin", stem, number == 0 ? "" : fmt::format("-{}", number));
             uris[b] = percent_encoded(name);
             files.side_files.push_back({name, std::move(changed[b])});
         }

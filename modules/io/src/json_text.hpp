@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Finding values in the text of a JSON document, so that they can be replaced and all other bytes stay.
+/// \file  Finding values in the text of a JSON document, so that they can be replaced and all other bytes
+/// stay.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +20,8 @@ struct JsonSpan {
 /// Values of an array, in order; none if the value is no array. \pre  the text is valid JSON
 std::vector<JsonSpan> json_elements(std::string_view text, JsonSpan array);
 
-/// Value of a member of an object; the last if there are several; nothing if the value is no object. Keys that
-/// are spelt with escapes are not found. \pre  the text is valid JSON
+/// Value of a member of an object; the last if there are several; nothing if the value is no object. Keys
+/// that are spelt with escapes are not found. \pre  the text is valid JSON
 std::optional<JsonSpan> json_member(std::string_view text, JsonSpan object, std::string_view key);
 
 /// The document's outermost value.

@@ -31,10 +31,18 @@ Model::Model(Model&&) noexcept = default;
 Model& Model::operator=(Model&&) noexcept = default;
 Model::~Model() = default;
 
-Format Model::format() const { return impl_->format; }
-const TriangleMesh& Model::mesh() const { return impl_->welded.mesh; }
-std::span<const Index> Model::vertex_of_slot() const { return impl_->welded.vertex_of; }
-double Model::coordinate_step() const { return impl_->store->step(impl_->welding()); }
+Format Model::format() const {
+    return impl_->format;
+}
+const TriangleMesh& Model::mesh() const {
+    return impl_->welded.mesh;
+}
+std::span<const Index> Model::vertex_of_slot() const {
+    return impl_->welded.vertex_of;
+}
+double Model::coordinate_step() const {
+    return impl_->store->step(impl_->welding());
+}
 
 std::vector<Vec3> Model::stored_positions(std::span<const Vec3> wanted) const {
     return impl_->store->settle(impl_->welding(), wanted);
@@ -44,7 +52,8 @@ std::string Model::patched(std::span<const Vec3> wanted, Normals normals) const 
     return patched_files(wanted, {}, normals).bytes;
 }
 
-PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view output_name, Normals normals) const {
+PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view output_name,
+                                  Normals normals) const {
     PatchedFiles files = impl_->store->patch(impl_->welding(), wanted, output_name);
     if (normals == Normals::keep)
         return files;
@@ -61,12 +70,18 @@ namespace {
 
 Document read_document(const Source& source, Format format, const Resolver& resolver) {
     switch (format) {
-    case Format::obj: return read_obj(source);
-    case Format::ply: return read_ply(source);
-    case Format::stl: return read_stl(source);
-    case Format::off: return read_off(source);
-    case Format::gltf: return read_gltf(source, resolver);
-    case Format::glb: return read_glb(source, resolver);
+    case Format::obj:
+        return read_obj(source);
+    case Format::ply:
+        return read_ply(source);
+    case Format::stl:
+        return read_stl(source);
+    case Format::off:
+        return read_off(source);
+    case Format::gltf:
+        return read_gltf(source, resolver);
+    case Format::glb:
+        return read_glb(source, resolver);
     }
     throw ParameterError("unknown file format");
 }
@@ -119,11 +134,12 @@ Model read(const std::filesystem::path& path, const ReadOptions& options) {
     const auto format = options.format ? options.format : format_of_name(path.filename().string());
     if (!format) {
         const auto seen = format_of_content(bytes);
-        throw InputError(fmt::format("{}: the file's extension names no format that wm3d reads (obj, ply, stl, off, "
-                                     "gltf, glb){}",
-                                     path.string(),
-                                     seen ? fmt::format("; its content looks like {0}, so say --format {0}", name_of(*seen))
-                                          : "; say which it is with --format"));
+        throw InputError(fmt::format(
+            "{}: the file's extension names no format that wm3d reads (obj, ply, stl, off, "
+            "gltf, glb){}",
+            path.string(),
+            seen ? fmt::format("; its content looks like {0}, so say --format {0}", name_of(*seen))
+                 : "; say which it is with --format"));
     }
     return parse(std::move(bytes), *format, path.string(), resolver_beside(path));
 }

@@ -56,7 +56,7 @@ Mat3 edge_products(const NormalUses& uses, std::span<const Index> face) {
 }
 
 /// The uses of a file whose faces are triangles of slots.
-template <typename NormalOfSlot>
+template<typename NormalOfSlot>
 NormalUses uses_of_slots(Document patched, const Welding& welding, NormalOfSlot&& normal_of_slot) {
     NormalUses uses;
     for (Index vertex : welding.vertex_of_slot)
@@ -108,8 +108,9 @@ std::vector<Vec3> turned(const std::vector<Vec3>& normals, const NormalUses& use
     return result;
 }
 
-PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source& original, const Welding& welding,
-                                 const Resolver& resolver, std::string_view output_name) {
+PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source& original,
+                                 const Welding& welding, const Resolver& resolver,
+                                 std::string_view output_name) {
     const Source patched{original.name, files.bytes};
     const auto itself = [](Index slot) { return slot; };
     std::optional<NormalTable> table;
@@ -117,7 +118,8 @@ PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source
     switch (format) {
     case Format::gltf:
     case Format::glb:
-        return with_turned_gltf_normals(std::move(files), format == Format::glb, original, resolver, output_name);
+        return with_turned_gltf_normals(std::move(files), format == Format::glb, original, resolver,
+                                        output_name);
     case Format::ply:
         if ((table = ply_normals(patched)))
             uses = uses_of_slots(read_ply(patched), welding, itself);

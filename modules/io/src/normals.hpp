@@ -24,24 +24,27 @@ struct NormalUses {
     std::vector<Index> normal_of_corner; ///< #corners; no_index where a corner has none
 };
 
-/// Each normal turned as its faces turned: as the area-weighted sum of their normals, with the twist that their edges
-/// tell. Stored normals needn't be those sums (creases, smoothing groups, an artist's hand): what they differ by is kept.
+/// Each normal turned as its faces turned: as the area-weighted sum of their normals, with the twist that
+/// their edges tell. Stored normals needn't be those sums (creases, smoothing groups, an artist's hand): what
+/// they differ by is kept.
 std::vector<Vec3> turned(const std::vector<Vec3>& normals, const NormalUses& uses);
 
 /// `files` with the normals turned, where the format has any.
 /// \param original  bytes of the file before the patch
 /// \param mesh, vertex_of_slot  as Model's, before the patch
 /// \throw InputError  if a normal or what refers to it can't be understood
-PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source& original, const Welding& welding,
-                                 const Resolver& resolver, std::string_view output_name);
+PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source& original,
+                                 const Welding& welding, const Resolver& resolver,
+                                 std::string_view output_name);
 
-/// The normals of a patched file; none if it stores none. Those of PLY and OFF stand in the order of the slots, those
-/// of STL in that of the facets. \throw InputError
+/// The normals of a patched file; none if it stores none. Those of PLY and OFF stand in the order of the
+/// slots, those of STL in that of the facets. \throw InputError
 std::optional<NormalTable> ply_normals(const Source& patched);
 std::optional<NormalTable> off_normals(const Source& patched);
 NormalTable stl_normals(const Source& patched);
 
-/// The normals of a patched OBJ file and the faces that use them; `uses` gets its faces and normals from here.
+/// The normals of a patched OBJ file and the faces that use them; `uses` gets its faces and normals from
+/// here.
 std::optional<NormalTable> obj_normals(const Source& patched, NormalUses& uses);
 
 /// As with_turned_normals, for glTF and GLB.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ. tinyobjloader reads the statements; a scan of the `v` lines finds where the coordinates stand
-// and reads them exactly (tinyobjloader's own decimals may be off by a few ulp, which would open seams between
-// equal positions that are spelt differently).
+// Wavefront OBJ. tinyobjloader reads the statements; a scan of the `v` lines finds where the coordinates
+// stand and reads them exactly (tinyobjloader's own decimals may be off by a few ulp, which would open seams
+// between equal positions that are spelt differently).
 #include <cstring>
 #include <exception>
 #include <istream>
@@ -79,9 +79,11 @@ private:
             return static_cast<Index>(index) - 1;
         if (index == 0)
             fail("a face names vertex 0 or something that is no number; OBJ counts vertices from 1");
-        const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(index)); // -1 is the latest vertex
+        const auto back =
+            static_cast<std::size_t>(-static_cast<std::int64_t>(index)); // -1 is the latest vertex
         if (back > vertices_)
-            fail(fmt::format("a face names vertex {}, but only {} vertices come before it", index, vertices_));
+            fail(
+                fmt::format("a face names vertex {}, but only {} vertices come before it", index, vertices_));
         return static_cast<Index>(vertices_ - back);
     }
 
@@ -142,7 +144,7 @@ std::vector<Piece> cut(const Source& source, std::string_view original) {
 }
 
 /// Runs `read` on every piece; of several errors, that of the first piece is thrown.
-template <typename F>
+template<typename F>
 void for_each_piece(std::vector<Piece>& pieces, F&& read) {
     parallel_blocks(pieces.size(), 1, [&](std::size_t begin, std::size_t) {
         try {
@@ -171,7 +173,8 @@ Document read_statements(const Source& source, std::string_view original) {
         before[p + 1] = before[p] + pieces[p].positions.size();
     for_each_piece(pieces, [&](std::size_t p) {
         if (FaceReader(source, pieces[p], before[p]).run() != before[p + 1])
-            source.fail("its lines can't be told apart; the file may mix line ends or hold control characters");
+            source.fail(
+                "its lines can't be told apart; the file may mix line ends or hold control characters");
     });
 
     Document document;
@@ -181,8 +184,9 @@ Document read_statements(const Source& source, std::string_view original) {
     Polygons faces;
     for (Piece& piece : pieces) {
         if (!piece.faces.corners.empty() && piece.largest >= before.back())
-            source.fail_in_line(piece.largest_at, fmt::format("a face names vertex {}, but the file has {} vertices",
-                                                              std::size_t{piece.largest} + 1, before.back()));
+            source.fail_in_line(piece.largest_at,
+                                fmt::format("a face names vertex {}, but the file has {} vertices",
+                                            std::size_t{piece.largest} + 1, before.back()));
         document.positions.insert(document.positions.end(), piece.positions.begin(), piece.positions.end());
         store->append(piece.store);
         append(faces, piece.faces);

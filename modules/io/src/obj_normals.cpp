@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The `vn` lines of an OBJ file and the corners that name them; the rest of its faces has been checked before.
+// The `vn` lines of an OBJ file and the corners that name them; the rest of its faces has been checked
+// before.
 #include <charconv>
 #include <cstdint>
 
@@ -59,7 +60,8 @@ private:
     /// Whether the line's keyword is this one; if so, goes on behind it.
     bool begins(std::string_view keyword) {
         const std::string_view rest = scan_.source().bytes.substr(scan_.offset(), keyword.size() + 1);
-        if (rest.size() <= keyword.size() || !rest.starts_with(keyword) || (rest.back() != ' ' && rest.back() != '\t'))
+        if (rest.size() <= keyword.size() || !rest.starts_with(keyword) ||
+            (rest.back() != ' ' && rest.back() != '\t'))
             return false;
         scan_.jump(scan_.offset() + keyword.size());
         return true;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF with its variants that add normals, colours or texture coordinates after x, y and z: one line per element.
+// OFF with its variants that add normals, colours or texture coordinates after x, y and z: one line per
+// element.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -30,14 +31,17 @@ std::string_view read_keyword(TextScanner& scan) {
     const std::size_t length = std::min(rest.find_first_of(" \t\r\n#0123456789"), rest.size());
     const std::string_view keyword = rest.substr(0, length);
     if (!keyword.empty() && !keyword.ends_with("OFF"))
-        scan.source().fail_in_line(scan.offset(), fmt::format("\"{}\" is no keyword of OFF", keyword.substr(0, 30)));
+        scan.source().fail_in_line(scan.offset(),
+                                   fmt::format("\"{}\" is no keyword of OFF", keyword.substr(0, 30)));
     if (rest.starts_with("4OFF") || rest.starts_with("nOFF") || keyword.find('4') != std::string_view::npos ||
         keyword.find('n') != std::string_view::npos)
-        scan.source().fail_in_line(scan.offset(), "an OFF file of another dimension than 3 holds no surface in space");
+        scan.source().fail_in_line(scan.offset(),
+                                   "an OFF file of another dimension than 3 holds no surface in space");
     scan.jump(scan.offset() + length);
     scan.skip_blanks();
     if (scan.source().bytes.substr(scan.offset()).starts_with("BINARY"))
-        scan.source().fail_in_line(scan.offset(), "binary OFF is not read; save the file as text OFF or as PLY");
+        scan.source().fail_in_line(scan.offset(),
+                                   "binary OFF is not read; save the file as text OFF or as PLY");
     return keyword;
 }
 
@@ -53,9 +57,10 @@ Counts read_counts(TextScanner& scan) {
     scan.skip_line(); // the number of edges, which nobody trusts
     // A vertex takes 6 bytes or more and a face 2; checked by division, so that no count overflows.
     if (vertices > source.bytes.size() / 5 || faces > source.bytes.size() / 2)
-        source.fail(fmt::format("it announces {} vertices and {} faces, but the file is too short for them; it is cut "
-                                "short or damaged",
-                                vertices, faces));
+        source.fail(fmt::format(
+            "it announces {} vertices and {} faces, but the file is too short for them; it is cut "
+            "short or damaged",
+            vertices, faces));
     return {vertices, faces};
 }
 
@@ -84,9 +89,10 @@ Polygons read_faces(TextScanner& scan, std::size_t count, std::size_t vertices) 
         for (std::size_t k = 0; k < corners; ++k) {
             const std::int64_t v = scan.integer("a vertex number", 0);
             if (v >= static_cast<std::int64_t>(vertices))
-                scan.source().fail_in_line(line, fmt::format("a face names vertex {}, but the file has {} (counted "
-                                                             "from 0)",
-                                                             v, vertices));
+                scan.source().fail_in_line(line,
+                                           fmt::format("a face names vertex {}, but the file has {} (counted "
+                                                       "from 0)",
+                                                       v, vertices));
             faces.corners.push_back(static_cast<Index>(v));
         }
         faces.close_face();
@@ -115,7 +121,8 @@ std::optional<NormalTable> off_normals(const Source& patched) {
     if (keyword.find('N') == std::string_view::npos)
         return std::nullopt;
     if (keyword.find('C') != std::string_view::npos)
-        patched.fail("programs disagree on whether an OFF file's normals stand before its colours, so its normals can't "
+        patched.fail("programs disagree on whether an OFF file's normals stand before its colours, so its "
+                     "normals can't "
                      "be recomputed; keep them, or save the file as PLY");
     const std::size_t vertices = read_counts(scan).vertices;
     NormalTable table;

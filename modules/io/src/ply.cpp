@@ -28,7 +28,9 @@ public:
         : scan_(source, header.body), store_(std::make_unique<TextStore>(source.bytes)) {}
 
     void reserve(std::size_t slots) { store_->reserve(slots); }
-    std::int64_t integer(Scalar, std::string_view what, std::int64_t least) { return scan_.integer(what, least); }
+    std::int64_t integer(Scalar, std::string_view what, std::int64_t least) {
+        return scan_.integer(what, least);
+    }
     void skip(Scalar, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i)
             if (scan_.word().empty())
@@ -37,13 +39,15 @@ public:
     /// Checks that a list of `count` values can still follow.
     void expect(std::size_t count, Scalar) {
         if (count > scan_.source().bytes.size() - scan_.offset())
-            scan_.source().fail_in_line(scan_.offset(), fmt::format("a list of {} values is longer than the file", count));
+            scan_.source().fail_in_line(scan_.offset(),
+                                        fmt::format("a list of {} values is longer than the file", count));
     }
     Vec3 coordinates(const PlyElement& element, const CoordinateProperties& xyz) {
         std::array<std::size_t, 3> offsets{};
         Vec3 position;
         for (std::size_t p = xyz.first; p <= xyz.last; ++p) {
-            const auto k = static_cast<std::size_t>(std::find(xyz.number.begin(), xyz.number.end(), p) - xyz.number.begin());
+            const auto k = static_cast<std::size_t>(std::find(xyz.number.begin(), xyz.number.end(), p) -
+                                                    xyz.number.begin());
             if (k < 3)
                 position[static_cast<int>(k)] = xyz.finite ? scan_.number("a vertex coordinate", offsets[k])
                                                            : scan_.any_number("a normal", offsets[k]);
@@ -67,9 +71,11 @@ private:
 /// Walks a binary body of either byte order.
 class BinaryBody {
 public:
-    BinaryBody(const Source& source, const PlyHeader& header, const PlyElement& vertex, const CoordinateProperties& xyz)
+    BinaryBody(const Source& source, const PlyHeader& header, const PlyElement& vertex,
+               const CoordinateProperties& xyz)
         : source_(source), at_(header.body),
-          swap_(swaps(header.encoding == PlyEncoding::binary_big_endian ? std::endian::big : std::endian::little)) {
+          swap_(swaps(header.encoding == PlyEncoding::binary_big_endian ? std::endian::big
+                                                                        : std::endian::little)) {
         BinaryStore::Layout layout;
         layout.swap = swap_;
         std::size_t within = 0;
@@ -124,7 +130,7 @@ private:
     std::unique_ptr<BinaryStore> store_;
 };
 
-template <typename Body>
+template<typename Body>
 void skip_property(Body& body, const PlyProperty& property) {
     std::size_t count = 1;
     if (property.is_list())
@@ -132,8 +138,9 @@ void skip_property(Body& body, const PlyProperty& property) {
     body.skip(property.type, count);
 }
 
-template <typename Body>
-void read_vertices(Body& body, const PlyElement& element, const CoordinateProperties& xyz, Document& document) {
+template<typename Body>
+void read_vertices(Body& body, const PlyElement& element, const CoordinateProperties& xyz,
+                   Document& document) {
     document.positions.reserve(element.count);
     body.reserve(element.count);
     for (std::size_t i = 0; i < element.count; ++i)
@@ -148,21 +155,24 @@ void read_vertices(Body& body, const PlyElement& element, const CoordinateProper
 }
 
 /// Reads one list of vertex numbers; -1 is kept as no_index where strips end with it.
-template <typename Body>
+template<typename Body>
 void read_indices(Body& body, const PlyProperty& property, std::size_t vertices, bool strips,
                   std::vector<Index>& indices) {
-    const auto count = static_cast<std::size_t>(body.integer(*property.count_type, "the length of a list", 0));
+    const auto count =
+        static_cast<std::size_t>(body.integer(*property.count_type, "the length of a list", 0));
     body.expect(count, property.type);
     for (std::size_t i = 0; i < count; ++i) {
         const std::int64_t index = body.integer(property.type, "a vertex number", strips ? -1 : 0);
         if (index >= static_cast<std::int64_t>(vertices))
-            body.fail(fmt::format("a face names vertex {}, but the file has {} (counted from 0)", index, vertices));
+            body.fail(
+                fmt::format("a face names vertex {}, but the file has {} (counted from 0)", index, vertices));
         indices.push_back(index < 0 ? no_index : static_cast<Index>(index));
     }
 }
 
-template <typename Body>
-void read_faces(Body& body, const PlyElement& element, std::size_t list, std::size_t vertices, Polygons& faces) {
+template<typename Body>
+void read_faces(Body& body, const PlyElement& element, std::size_t list, std::size_t vertices,
+                Polygons& faces) {
     for (std::size_t i = 0; i < element.count; ++i)
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             if (p == list) {
@@ -174,7 +184,7 @@ void read_faces(Body& body, const PlyElement& element, std::size_t list, std::si
         }
 }
 
-template <typename Body>
+template<typename Body>
 void read_strips(Body& body, const PlyElement& element, std::size_t list, std::size_t vertices,
                  std::vector<Triangle>& triangles) {
     std::vector<Index> strip;
@@ -234,9 +244,10 @@ CoordinateProperties find_numbers(const Source& source, const PlyElement& vertex
     xyz.last = *std::max_element(xyz.number.begin(), xyz.number.end());
     for (std::size_t p = xyz.first; p <= xyz.last; ++p)
         if (vertex.properties[p].is_list())
-            source.fail(fmt::format("a list stands between {0}, {1} and {2} of its vertices, which wm3d does not read; "
-                                    "save the file with {0}, {1} and {2} together",
-                                    names[0], names[1], names[2]));
+            source.fail(fmt::format(
+                "a list stands between {0}, {1} and {2} of its vertices, which wm3d does not read; "
+                "save the file with {0}, {1} and {2} together",
+                names[0], names[1], names[2]));
     return xyz;
 }
 
@@ -247,19 +258,20 @@ CoordinateProperties find_coordinates(const Source& source, const PlyElement& ve
 }
 
 /// Refuses counts that the file is too short for, before anything is allocated.
-template <typename Body>
+template<typename Body>
 void check_counts(const Source& source, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
         const std::size_t least = Body::least_size(element);
         // One more byte: the last word of a text file needs no space after it.
         if (least > 0 && element.count > (source.bytes.size() - header.body + 1) / least)
-            source.fail(fmt::format("its header announces {} elements named {}, but the file ends before; it is cut "
-                                    "short or damaged",
-                                    element.count, element.name));
+            source.fail(
+                fmt::format("its header announces {} elements named {}, but the file ends before; it is cut "
+                            "short or damaged",
+                            element.count, element.name));
     }
 }
 
-template <typename Body>
+template<typename Body>
 Document read_body(const Source& source, const PlyHeader& header, const PlyElement& vertex,
                    const CoordinateProperties& xyz) {
     check_counts<Body>(source, header);
@@ -270,7 +282,8 @@ Document read_body(const Source& source, const PlyHeader& header, const PlyEleme
     for (const PlyElement& element : header.elements) {
         const auto list = index_list(element);
         if (list && !is_integer(element.properties[*list].type))
-            source.fail("its vertex numbers are floating-point numbers; save the file with integer vertex numbers");
+            source.fail(
+                "its vertex numbers are floating-point numbers; save the file with integer vertex numbers");
         if (&element == &vertex)
             read_vertices(body, element, xyz, document);
         else if (element.name == "face" && list)

@@ -15,10 +15,22 @@ namespace {
 
 Scalar scalar_of_name(const TextScanner& scan, std::size_t line, std::string_view name) {
     static constexpr std::array<std::pair<std::string_view, Scalar>, 16> names{{
-        {"char", Scalar::i8},   {"int8", Scalar::i8},       {"uchar", Scalar::u8},   {"uint8", Scalar::u8},
-        {"short", Scalar::i16}, {"int16", Scalar::i16},     {"ushort", Scalar::u16}, {"uint16", Scalar::u16},
-        {"int", Scalar::i32},   {"int32", Scalar::i32},     {"uint", Scalar::u32},   {"uint32", Scalar::u32},
-        {"float", Scalar::f32}, {"float32", Scalar::f32},   {"double", Scalar::f64}, {"float64", Scalar::f64},
+        {"char", Scalar::i8},
+        {"int8", Scalar::i8},
+        {"uchar", Scalar::u8},
+        {"uint8", Scalar::u8},
+        {"short", Scalar::i16},
+        {"int16", Scalar::i16},
+        {"ushort", Scalar::u16},
+        {"uint16", Scalar::u16},
+        {"int", Scalar::i32},
+        {"int32", Scalar::i32},
+        {"uint", Scalar::u32},
+        {"uint32", Scalar::u32},
+        {"float", Scalar::f32},
+        {"float32", Scalar::f32},
+        {"double", Scalar::f64},
+        {"float64", Scalar::f64},
     }};
     for (const auto& [known, type] : names)
         if (known == name)
@@ -61,7 +73,8 @@ void skip_header_line_end(TextScanner& scan) {
     const bool pair = bytes.substr(first, 2) == "\r\n";
     scan.skip_blanks();
     if (scan.at_end() || !scan.at_line_end())
-        scan.source().fail_at_byte(scan.offset(), "no line end after end_header; the file is cut short or damaged");
+        scan.source().fail_at_byte(scan.offset(),
+                                   "no line end after end_header; the file is cut short or damaged");
     const bool pair_here = bytes.substr(scan.offset(), 2) == "\r\n";
     scan.jump(scan.offset() + (pair && pair_here ? 2 : 1));
 }
@@ -76,7 +89,8 @@ std::optional<std::size_t> PlyElement::find(std::string_view property) const {
 }
 
 bool PlyElement::has_lists() const {
-    return std::any_of(properties.begin(), properties.end(), [](const PlyProperty& p) { return p.is_list(); });
+    return std::any_of(properties.begin(), properties.end(),
+                       [](const PlyProperty& p) { return p.is_list(); });
 }
 
 std::size_t PlyElement::least_size() const {
@@ -112,7 +126,8 @@ PlyHeader read_ply_header(const Source& source) {
         } else if (keyword == "property") {
             read_property(scan, line, header);
         } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-            source.fail_in_line(line, fmt::format("\"{}\" is no header keyword of PLY", keyword.substr(0, 30)));
+            source.fail_in_line(line,
+                                fmt::format("\"{}\" is no header keyword of PLY", keyword.substr(0, 30)));
         }
     }
     if (!has_format)

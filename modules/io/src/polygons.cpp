@@ -34,7 +34,8 @@ void append_fan(std::span<const Index> face, std::vector<Triangle>& triangles) {
 }
 
 /// Whether the corner at place i can be cut off: it is convex and no other corner lies in its triangle.
-bool is_ear(std::span<const Vec3> positions, const std::vector<Index>& ring, std::size_t i, const Vec3& normal) {
+bool is_ear(std::span<const Vec3> positions, const std::vector<Index>& ring, std::size_t i,
+            const Vec3& normal) {
     const std::size_t n = ring.size();
     const Index ia = ring[(i + n - 1) % n], ib = ring[i], ic = ring[(i + 1) % n];
     const Vec3 &a = positions[ia], &b = positions[ib], &c = positions[ic];

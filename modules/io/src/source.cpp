@@ -33,7 +33,9 @@ std::string plain(std::string_view message) {
 
 } // namespace
 
-void Source::fail(std::string_view what) const { throw InputError(fmt::format("{}: {}", name, plain(what))); }
+void Source::fail(std::string_view what) const {
+    throw InputError(fmt::format("{}: {}", name, plain(what)));
+}
 
 void Source::fail_in_line(std::size_t offset, std::string_view what) const {
     throw InputError(fmt::format("{}, line {}: {}", name, line_of(bytes, offset), plain(what)));

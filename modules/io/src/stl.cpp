@@ -37,9 +37,10 @@ Document read_binary(const Source& source, std::size_t facets) {
             const std::size_t offset = header_size + f * facet_size + 12 * (k + 1);
             document.positions.push_back(store->add(offset));
             if (!document.positions.back().allFinite())
-                source.fail_at_byte(offset, fmt::format("corner {} of facet {} is not finite; wm3d needs finite "
-                                                        "coordinates",
-                                                        k + 1, f + 1));
+                source.fail_at_byte(offset,
+                                    fmt::format("corner {} of facet {} is not finite; wm3d needs finite "
+                                                "coordinates",
+                                                k + 1, f + 1));
         }
     number_corners(document);
     document.store = std::move(store);
@@ -47,15 +48,15 @@ Document read_binary(const Source& source, std::size_t facets) {
 }
 
 bool equal_words(std::string_view a, std::string_view b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
-        return std::tolower(x) == std::tolower(y);
-    });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
 }
 
 /// Reads the statements of a text file one word at a time.
 class TextReader {
 public:
-    explicit TextReader(const Source& source) : scan_(source, 0), store_(std::make_unique<TextStore>(source.bytes)) {}
+    explicit TextReader(const Source& source)
+        : scan_(source, 0), store_(std::make_unique<TextStore>(source.bytes)) {}
 
     /// Reads the normals too; without this they may be anything.
     void collect(std::vector<Vec3>& normals, TextStore& store) {
@@ -88,7 +89,8 @@ private:
             return;
         if (word.empty())
             scan_.source().fail(fmt::format("the file ends where \"{}\" should be; it is cut short", wanted));
-        scan_.source().fail_in_line(scan_.offset(), fmt::format("\"{}\" stands where \"{}\" should be", word.substr(0, 30), wanted));
+        scan_.source().fail_in_line(
+            scan_.offset(), fmt::format("\"{}\" stands where \"{}\" should be", word.substr(0, 30), wanted));
     }
     void expect_next(std::string_view wanted) { expect(scan_.word(), wanted); }
 
@@ -139,7 +141,8 @@ bool looks_like_text(std::string_view bytes) {
 std::size_t counted_facets(const Source& source) {
     return source.bytes.size() < header_size
                ? 0
-               : static_cast<std::size_t>(load(source.bytes.data() + 80, Scalar::u32, swaps(std::endian::little)));
+               : static_cast<std::size_t>(
+                     load(source.bytes.data() + 80, Scalar::u32, swaps(std::endian::little)));
 }
 
 bool is_binary(const Source& source) {
@@ -176,11 +179,13 @@ Document read_stl(const Source& source) {
     if (looks_like_text(source.bytes))
         return TextReader(source).run();
     if (size < header_size)
-        source.fail(fmt::format("the file has {} bytes, but a binary STL has at least {}; it is cut short or no STL",
-                                size, header_size));
-    source.fail(fmt::format("its header counts {} facets, which take {} bytes, but the file has {}; it is cut short, "
-                            "damaged, or no STL",
-                            facets, header_size + facets * facet_size, size));
+        source.fail(
+            fmt::format("the file has {} bytes, but a binary STL has at least {}; it is cut short or no STL",
+                        size, header_size));
+    source.fail(
+        fmt::format("its header counts {} facets, which take {} bytes, but the file has {}; it is cut short, "
+                    "damaged, or no STL",
+                    facets, header_size + facets * facet_size, size));
 }
 
 } // namespace wm3d::io

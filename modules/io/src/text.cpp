@@ -18,10 +18,18 @@ constexpr std::size_t block = 8192;
 constexpr int most_digits = 17; // more says nothing about a double
 constexpr std::size_t text_size = 400;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-bool is_space(char c) { return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f'; }
+bool is_digit(char c) {
+    return c >= '0' && c <= '9';
+}
+bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+bool is_space(char c) {
+    return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f';
+}
 
 } // namespace
 
@@ -33,7 +41,8 @@ const char* parse_number(const char* begin, const char* end, double& value) {
         // Too small for a double is zero; too large is an error.
         const std::string_view text(begin, static_cast<std::size_t>(stop - begin));
         const std::size_t e = text.find_first_of("eE");
-        if (e == std::string_view::npos ? text.find_first_not_of("-0.") > text.find('.') : text.substr(e + 1, 1) == "-") {
+        if (e == std::string_view::npos ? text.find_first_not_of("-0.") > text.find('.')
+                                        : text.substr(e + 1, 1) == "-") {
             value = 0;
             return stop;
         }
@@ -65,7 +74,9 @@ void TextScanner::skip_line() {
     at_ += pair ? 2 : 1;
 }
 
-bool TextScanner::at_line_end() const { return at_end() || is_line_end(source_.bytes[at_]); }
+bool TextScanner::at_line_end() const {
+    return at_end() || is_line_end(source_.bytes[at_]);
+}
 
 std::string_view TextScanner::word() {
     skip_space();
@@ -116,7 +127,8 @@ std::int64_t TextScanner::integer(std::string_view what, std::int64_t least) {
     if (at_end())
         source_.fail(fmt::format("the file ends where {} should be; it seems to be cut short", what));
     if (error != std::errc() || (stop != end && !is_space(*stop) && *stop != '#'))
-        source_.fail_in_line(start, fmt::format("\"{}\" is no whole number for {}", word().substr(0, 30), what));
+        source_.fail_in_line(start,
+                             fmt::format("\"{}\" is no whole number for {}", word().substr(0, 30), what));
     if (value < least)
         source_.fail_in_line(start, fmt::format("{} is {}, but can't be below {}", what, value, least));
     at_ = static_cast<std::size_t>(stop - base);

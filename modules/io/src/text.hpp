@@ -26,11 +26,11 @@ public:
     bool at_end() const { return at_ >= source_.bytes.size(); }
     const Source& source() const { return source_; }
 
-    void skip_blanks();          ///< spaces and tabs
-    void skip_space();           ///< also line ends
-    void skip_line();            ///< to the start of the next line
-    bool at_line_end() const;    ///< at CR, LF or the end of the file
-    std::string_view word();     ///< up to the next space or line end; skips space first; empty at the end
+    void skip_blanks();       ///< spaces and tabs
+    void skip_space();        ///< also line ends
+    void skip_line();         ///< to the start of the next line
+    bool at_line_end() const; ///< at CR, LF or the end of the file
+    std::string_view word();  ///< up to the next space or line end; skips space first; empty at the end
     /// Reads a finite number, skipping space first; sets `start` to where it begins.
     /// \throw InputError  naming `what` if there is none
     double number(std::string_view what, std::size_t& start);
@@ -46,8 +46,8 @@ private:
     std::size_t at_;
 };
 
-/// How a file spells its coordinates: plain decimals, exponents everywhere, or some of both. Learned from all of
-/// its coordinates, so that equal values are always spelt alike.
+/// How a file spells its coordinates: plain decimals, exponents everywhere, or some of both. Learned from all
+/// of its coordinates, so that equal values are always spelt alike.
 class TextStyle {
 public:
     void learn(std::string_view number);

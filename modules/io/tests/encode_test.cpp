@@ -27,7 +27,8 @@ TEST_CASE("every format reads back what was encoded") {
     for (Format format : {Format::obj, Format::ply, Format::off, Format::gltf, Format::glb})
         for (bool ascii : {false, true}) {
             CAPTURE(name_of(format));
-            const Model model = parse_as(format, encode(mesh, format, {.ascii = ascii, .comment = "one line"}));
+            const Model model =
+                parse_as(format, encode(mesh, format, {.ascii = ascii, .comment = "one line"}));
             CHECK(model.mesh().triangles == mesh.triangles);
             REQUIRE(model.mesh().positions.size() == mesh.positions.size());
             const bool exact = format == Format::obj || format == Format::off;
@@ -38,8 +39,9 @@ TEST_CASE("every format reads back what was encoded") {
 TEST_CASE("PLY in double is exact") {
     const TriangleMesh mesh = shapes::blob(300, 2);
     for (bool ascii : {false, true})
-        CHECK(parse_as(Format::ply, encode(mesh, Format::ply, {.ascii = ascii, .double_precision = true})).mesh().positions ==
-              mesh.positions);
+        CHECK(parse_as(Format::ply, encode(mesh, Format::ply, {.ascii = ascii, .double_precision = true}))
+                  .mesh()
+                  .positions == mesh.positions);
 }
 
 TEST_CASE("STL holds the same triangles and their normals") {
@@ -70,7 +72,8 @@ TEST_CASE("colours of vertices and faces") {
     options.vertex_colors.clear();
     options.face_colors.assign(mesh.triangles.size(), Color{1, 2, 3});
     for (Format format : {Format::ply, Format::off, Format::glb})
-        CHECK(parse_as(format, encode(mesh, format, options)).mesh().triangles.size() == mesh.triangles.size());
+        CHECK(parse_as(format, encode(mesh, format, options)).mesh().triangles.size() ==
+              mesh.triangles.size());
     CHECK(encode(mesh, Format::glb, options).find("COLOR_0") != std::string::npos);
     CHECK_THROWS_AS(encode(mesh, Format::obj, options), ParameterError);
     options.face_colors.pop_back();

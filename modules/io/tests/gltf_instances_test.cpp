@@ -71,7 +71,8 @@ TEST_CASE("mirrored halves keep their seam closed") {
 }
 
 TEST_CASE("positions that would tear a seam stay, and what hangs together with them") {
-    // The right edge of the first instance is the left edge of the second: local (1, y) and (0, y) hang together.
+    // The right edge of the first instance is the left edge of the second: local (1, y) and (0, y) hang
+    // together.
     const Model model = square_scene(R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"translation":[1,0,0]}])");
     REQUIRE(model.mesh().positions.size() == 6);
     std::vector<Vec3> wanted = model.mesh().positions;
@@ -87,7 +88,8 @@ TEST_CASE("positions that would tear a seam stay, and what hangs together with t
 }
 
 TEST_CASE("an instance without thickness has no say and does no harm") {
-    const Model model = square_scene(R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"scale":[1,1,0],"translation":[0,0,4]}])");
+    const Model model =
+        square_scene(R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"scale":[1,1,0],"translation":[0,0,4]}])");
     std::vector<Vec3> wanted = model.mesh().positions;
     wanted[vertex_at(model, {1, 1, 0})] += Vec3(0, 0, 0.5);
     check_settles(model, wanted);

@@ -18,13 +18,14 @@ using namespace wm3d::io::test;
 namespace {
 
 /// The square of gltf_support.hpp with packed views; the bytes of the views lie one behind the other.
-std::string packed_asset(const std::string& positions, const std::string& indices, const std::string& filter = "NONE",
-                         int count = 4) {
+std::string packed_asset(const std::string& positions, const std::string& indices,
+                         const std::string& filter = "NONE", int count = 4) {
     const auto view = [](std::size_t offset, std::size_t length, std::size_t bytes, int stride, int elements,
                          const std::string& mode, const std::string& how) {
-        return fmt::format(R"({{"buffer":1,"byteLength":{},"extensions":{{"EXT_meshopt_compression":{{"buffer":0,)"
-                           R"("byteOffset":{},"byteLength":{},"byteStride":{},"count":{},"mode":"{}","filter":"{}"}}}}}})",
-                           bytes, offset, length, stride, elements, mode, how);
+        return fmt::format(
+            R"({{"buffer":1,"byteLength":{},"extensions":{{"EXT_meshopt_compression":{{"buffer":0,)"
+            R"("byteOffset":{},"byteLength":{},"byteStride":{},"count":{},"mode":"{}","filter":"{}"}}}}}})",
+            bytes, offset, length, stride, elements, mode, how);
     };
     const std::string json =
         R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
@@ -32,9 +33,10 @@ std::string packed_asset(const std::string& positions, const std::string& indice
         R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[)" +
         view(0, positions.size(), 48, 12, count, "ATTRIBUTES", filter) + "," +
         view(positions.size(), indices.size(), 12, 2, 6, "TRIANGLES", "NONE") +
-        fmt::format(R"(],"buffers":[{{"byteLength":{}}},{{"byteLength":60,"extensions":{{"EXT_meshopt_compression":)"
-                    R"({{"fallback":true}}}}}}]}})",
-                    positions.size() + indices.size());
+        fmt::format(
+            R"(],"buffers":[{{"byteLength":{}}},{{"byteLength":60,"extensions":{{"EXT_meshopt_compression":)"
+            R"({{"fallback":true}}}}}}]}})",
+            positions.size() + indices.size());
     return glb(json, positions + indices);
 }
 
@@ -47,14 +49,16 @@ namespace {
 std::string packed_positions() {
     const std::string raw = square_buffer().substr(0, 48);
     std::string out(meshopt_encodeVertexBufferBound(4, 12), '\0');
-    out.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(out.data()), out.size(), raw.data(), 4, 12));
+    out.resize(meshopt_encodeVertexBuffer(reinterpret_cast<unsigned char*>(out.data()), out.size(),
+                                          raw.data(), 4, 12));
     return out;
 }
 
 std::string packed_indices() {
     const std::vector<unsigned> indices{0, 1, 2, 0, 2, 3};
     std::string out(meshopt_encodeIndexBufferBound(6, 4), '\0');
-    out.resize(meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(out.data()), out.size(), indices.data(), 6));
+    out.resize(meshopt_encodeIndexBuffer(reinterpret_cast<unsigned char*>(out.data()), out.size(),
+                                         indices.data(), 6));
     return out;
 }
 
@@ -72,13 +76,15 @@ TEST_CASE("packed positions are not written, and that is said") {
     const std::string bytes = packed_asset(packed_positions(), packed_indices());
     const Model model = parse_as(Format::glb, bytes);
     CHECK(model.patched(model.mesh().positions) == bytes);
-    CHECK_THROWS_WITH_AS(model.patched(moved(model.mesh(), 0.1)), doctest::Contains("does not write"), InputError);
+    CHECK_THROWS_WITH_AS(model.patched(moved(model.mesh(), 0.1)), doctest::Contains("does not write"),
+                         InputError);
 }
 
 TEST_CASE("what can't be unpacked is refused") {
     const std::string positions = packed_positions(), indices = packed_indices();
     const auto refused = [](const std::string& bytes) {
-        CHECK_THROWS_WITH_AS(parse_as(Format::glb, bytes), doctest::Contains("can't be unpacked"), InputError);
+        CHECK_THROWS_WITH_AS(parse_as(Format::glb, bytes), doctest::Contains("can't be unpacked"),
+                             InputError);
     };
     refused(packed_asset(positions.substr(0, positions.size() - 3), indices));
     refused(packed_asset(positions, indices.substr(0, 4)));
@@ -112,8 +118,8 @@ TEST_CASE("damaged packed files are read or refused, without surprise") {
 #else
 
 TEST_CASE("without meshoptimizer packed files are refused in one sentence") {
-    CHECK_THROWS_WITH_AS(parse_as(Format::glb, packed_asset("x", "y")), doctest::Contains("without meshoptimizer"),
-                         InputError);
+    CHECK_THROWS_WITH_AS(parse_as(Format::glb, packed_asset("x", "y")),
+                         doctest::Contains("without meshoptimizer"), InputError);
 }
 
 #endif

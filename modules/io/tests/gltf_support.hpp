@@ -43,7 +43,9 @@ inline std::string glb(std::string json, std::string binary) {
     return out;
 }
 
-inline std::string data_uri(const std::string& bytes) { return "data:application/octet-stream;base64," + to_base64(bytes); }
+inline std::string data_uri(const std::string& bytes) {
+    return "data:application/octet-stream;base64," + to_base64(bytes);
+}
 
 /// Four corners of a unit square in z = 0 and two triangles: accessor 0 and 1 of buffer 0.
 inline std::string square_buffer() {
@@ -52,12 +54,19 @@ inline std::string square_buffer() {
 
 /// An asset around square_buffer(): `nodes` is the text of the node list, `buffer` that of the buffer.
 inline std::string square_asset(const std::string& nodes, const std::string& buffer) {
-    return "{ \"asset\" : {\"version\":\"2.0\", \"extras\": \"\\\"min\\\": [\"},\n \"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
-           "\"nodes\":" + nodes + ",\n\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
-           "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"min\":[0, 0,0.0],"
-           "\"max\":[1.0,1,0]},{\"type\":\"SCALAR\",\"bufferView\":1,\"componentType\":5123,\"count\":6,\"max\":[3]}],"
-           "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],"
-           "\"buffers\":[" + buffer + "] }";
+    return "{ \"asset\" : {\"version\":\"2.0\", \"extras\": \"\\\"min\\\": [\"},\n "
+           "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+           "\"nodes\":" +
+           nodes +
+           ",\n\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1}]}],"
+           "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,\"type\":\"VEC3\",\"min\":[0,"
+           " 0,0.0],"
+           "\"max\":[1.0,1,0]},{\"type\":\"SCALAR\",\"bufferView\":1,\"componentType\":5123,\"count\":6,"
+           "\"max\":[3]}],"
+           "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,\"byteLength\":"
+           "12}],"
+           "\"buffers\":[" +
+           buffer + "] }";
 }
 
 } // namespace wm3d::io::test

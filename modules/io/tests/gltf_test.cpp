@@ -146,8 +146,11 @@ TEST_CASE("glTF: what can't be read is refused with its reason") {
     const auto error = [](const std::string& from, const std::string& to) {
         return input_error(Format::glb, changed_square(from, to));
     };
-    CHECK(mentions(error("\"indices\":1", "\"indices\":1,\"extensions\":{\"KHR_draco_mesh_compression\":{}}"), "Draco"));
-    CHECK(mentions(error("\"byteLength\":48", "\"byteLength\":48,\"extensions\":{\"EXT_meshopt_compression\":{}}"), "meshopt"));
+    CHECK(mentions(error("\"indices\":1", "\"indices\":1,\"extensions\":{\"KHR_draco_mesh_compression\":{}}"),
+                   "Draco"));
+    CHECK(mentions(
+        error("\"byteLength\":48", "\"byteLength\":48,\"extensions\":{\"EXT_meshopt_compression\":{}}"),
+        "meshopt"));
     CHECK(mentions(error("\"count\":4", "\"sparse\":{},\"count\":4"), "sparse"));
     CHECK(mentions(error("\"count\":4", "\"count\":5"), "accessor 0 reaches out"));
     CHECK(mentions(error("\"count\":4", "\"count\":18446744073709551615"), "accessor 0 reaches out"));
@@ -162,6 +165,7 @@ TEST_CASE("glTF: what can't be read is refused with its reason") {
     CHECK(mentions(error("\"asset\"", "\"asset"), "JSON"));
     const std::string good = changed_square("1.0,1", "1.0,1");
     CHECK(mentions(input_error(Format::glb, good.substr(0, 100)), "cut short"));
-    CHECK(mentions(input_error(Format::gltf, square_asset(one_node, R"({"uri":"data:x;base64,????","byteLength":60})")),
-                   "base64"));
+    CHECK(mentions(
+        input_error(Format::gltf, square_asset(one_node, R"({"uri":"data:x;base64,????","byteLength":60})")),
+        "base64"));
 }

@@ -24,10 +24,14 @@ struct Expected {
 // From the files' own headers and line counts; welded counts of binary STL and GLB by an independent count of
 // distinct positions.
 constexpr Expected models[] = {
-    {"stanford-bunny.obj", 35947, 35947, 69451}, {"fandisk.obj", 6475, 6475, 12946},
-    {"nefertiti.obj", 49971, 49971, 99938},      {"rocker-arm.obj", 10044, 10044, 20088},
-    {"spot.obj", 2930, 2930, 5856},              {"horse.ply", 48485, 48485, 96966},
-    {"igea.ply", 134345, 134345, 268686},        {"thing-73416.stl", 230520, 38396, 76840},
+    {"stanford-bunny.obj", 35947, 35947, 69451},
+    {"fandisk.obj", 6475, 6475, 12946},
+    {"nefertiti.obj", 49971, 49971, 99938},
+    {"rocker-arm.obj", 10044, 10044, 20088},
+    {"spot.obj", 2930, 2930, 5856},
+    {"horse.ply", 48485, 48485, 96966},
+    {"igea.ply", 134345, 134345, 268686},
+    {"thing-73416.stl", 230520, 38396, 76840},
     {"DamagedHelmet.glb", 14556, 8661, 15452},
 };
 
@@ -48,6 +52,7 @@ TEST_CASE("real models are read, patched and read again") {
         CHECK(model.mesh().triangles.size() == expected.triangles);
         CHECK(model.patched(model.mesh().positions) == read_file(path));
         const std::vector<Vec3> wanted = moved(model.mesh(), 5e-4 * surface_box(model.mesh()).diagonal());
-        check_reads_back(model, parse_as(model.format(), model.patched(wanted)), model.stored_positions(wanted));
+        check_reads_back(model, parse_as(model.format(), model.patched(wanted)),
+                         model.stored_positions(wanted));
     }
 }

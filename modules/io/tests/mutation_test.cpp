@@ -26,15 +26,17 @@ std::vector<Sample> samples() {
     for (Format format : {Format::obj, Format::ply, Format::stl, Format::off, Format::gltf, Format::glb})
         for (bool ascii : {false, true})
             all.push_back({format, encode(mesh, format, {.ascii = ascii})});
-    all.push_back({Format::glb, glb(square_asset(R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"scale":[-1,1,1]}])",
-                                                 R"({"byteLength":60})"),
-                                    square_buffer())});
+    all.push_back(
+        {Format::glb, glb(square_asset(R"([{"children":[1,2]},{"mesh":0},{"mesh":0,"scale":[-1,1,1]}])",
+                                       R"({"byteLength":60})"),
+                          square_buffer())});
     all.push_back({Format::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 0.6 0.8\nf 1//1 2/7/2 -1//-1\n"});
     all.push_back({Format::off, "NOFF 3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0.6 0.8\n3 0 1 2\n"});
-    all.push_back({Format::ply, "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                                "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
-                                "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                                "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0.6 0.8\n3 0 1 2\n"});
+    all.push_back({Format::ply,
+                   "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                   "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+                   "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                   "0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0.6 0.8\n3 0 1 2\n"});
     std::string with_normals = square_asset(R"([{"mesh":0}])", R"({"byteLength":60})");
     with_normals.replace(with_normals.find("\"POSITION\":0"), 12, "\"POSITION\":0,\"NORMAL\":0");
     all.push_back({Format::glb, glb(with_normals, square_buffer())});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Stored normals that turn with the surface: turning a whole model has to turn every one of them alike.
+/// \file  Stored normals that turn with the surface: turning a whole model has to turn every one of them
+/// alike.
 #include <cmath>
 #include <sstream>
 
@@ -85,9 +86,10 @@ TEST_CASE("a crease stays: corners of one vertex keep normals of their own") {
 }
 
 TEST_CASE("normals of a text PLY file turn, zeros and what is no number stay") {
-    const std::string elements = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-                                 "property uchar red\nproperty float nx\nproperty float ny\nproperty float nz\n"
-                                 "element face 3\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string elements =
+        "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "property uchar red\nproperty float nx\nproperty float ny\nproperty float nz\n"
+        "element face 3\nproperty list uchar int vertex_indices\nend_header\n";
     const std::string text = "ply\nformat ascii 1.0\n" + elements +
                              "0.000000 0.000000 0.000000 7 0.600000 0.800000 0.000000\n"
                              "1.000000 0.000000 0.000000 8 0.000000 0.600000 0.800000\n"
@@ -112,9 +114,10 @@ TEST_CASE("normals of a text PLY file turn, zeros and what is no number stay") {
 }
 
 TEST_CASE("normals of a binary PLY file turn") {
-    std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
-                        "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
-                        "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+        "element face 1\nproperty list uchar uchar vertex_indices\nend_header\n";
     const std::size_t body = bytes.size();
     bytes += floats({0, 0, 0, 0.6F, 0.8F, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1, 0});
     bytes += std::string("\3\0\1\2", 4);
@@ -132,13 +135,14 @@ TEST_CASE("normals of a binary PLY file turn") {
 }
 
 TEST_CASE("facet normals of STL files turn") {
-    const std::string text = "solid\nfacet normal 0.000000 0.000000 -1.000000\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
-                             "vertex 0.000000 1.000000 0.000000\nvertex 1.000000 0.000000 0.000000\nendloop\nendfacet\n"
-                             "facet normal 0.000000 0.000000 0.000000\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
-                             "vertex 1.000000 0.000000 0.000000\nvertex 0.000000 0.000000 1.000000\nendloop\nendfacet\n"
-                             "facet normal nan nan nan\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
-                             "vertex 0.000000 0.000000 1.000000\nvertex 0.000000 1.000000 0.000000\nendloop\nendfacet\n"
-                             "endsolid\n";
+    const std::string text =
+        "solid\nfacet normal 0.000000 0.000000 -1.000000\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
+        "vertex 0.000000 1.000000 0.000000\nvertex 1.000000 0.000000 0.000000\nendloop\nendfacet\n"
+        "facet normal 0.000000 0.000000 0.000000\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
+        "vertex 1.000000 0.000000 0.000000\nvertex 0.000000 0.000000 1.000000\nendloop\nendfacet\n"
+        "facet normal nan nan nan\nouter loop\nvertex 0.000000 0.000000 0.000000\n"
+        "vertex 0.000000 0.000000 1.000000\nvertex 0.000000 1.000000 0.000000\nendloop\nendfacet\n"
+        "endsolid\n";
     const std::vector<Vec3> normals = vectors_of_lines(turned_file(text, Format::stl), "facet normal ");
     CHECK((normals[0] - turn * Vec3(0, 0, -1)).norm() < 2e-6);
     CHECK(normals[1] == Vec3::Zero());
@@ -168,21 +172,23 @@ TEST_CASE("normals of an OFF file turn; beside colours their place is not known"
     }
     const Model coloured = parse_as(Format::off, "CNOFF" + body);
     CHECK_NOTHROW(coloured.patched(turned_positions(coloured)));
-    CHECK_THROWS_WITH_AS(coloured.patched(turned_positions(coloured), Normals::turn), doctest::Contains("colours"),
-                         InputError);
+    CHECK_THROWS_WITH_AS(coloured.patched(turned_positions(coloured), Normals::turn),
+                         doctest::Contains("colours"), InputError);
 }
 
 TEST_CASE("normals of glTF turn in the mesh's own coordinates, wherever the buffer is") {
-    const std::string json = R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,)"
-                             R"("translation":[0,0,5],"scale":[2,2,2]}],"meshes":[{"primitives":[{"attributes":)"
-                             R"({"POSITION":0,"NORMAL":1},"indices":2}]}],"accessors":[)"
-                             R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
-                             R"({"bufferView":1,"componentType":5126,"count":4,"type":"VEC3"},)"
-                             R"({"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[)"
-                             R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},)"
-                             R"({"buffer":0,"byteOffset":96,"byteLength":12}],"buffers":[)";
+    const std::string json =
+        R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,)"
+        R"("translation":[0,0,5],"scale":[2,2,2]}],"meshes":[{"primitives":[{"attributes":)"
+        R"({"POSITION":0,"NORMAL":1},"indices":2}]}],"accessors":[)"
+        R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
+        R"({"bufferView":1,"componentType":5126,"count":4,"type":"VEC3"},)"
+        R"({"bufferView":2,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[)"
+        R"({"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":48},)"
+        R"({"buffer":0,"byteOffset":96,"byteLength":12}],"buffers":[)";
     const std::string buffer = floats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) +
-                               floats({0.6F, 0.8F, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1}) + shorts({0, 1, 2, 0, 2, 3});
+                               floats({0.6F, 0.8F, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1}) +
+                               shorts({0, 1, 2, 0, 2, 3});
     const std::string whole = glb(json + R"({"byteLength":108}]})", buffer);
     const std::size_t normals_at = whole.find(buffer) + 48;
     const auto check = [&](const char* normals) {

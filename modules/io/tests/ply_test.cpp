@@ -19,7 +19,7 @@ namespace {
 struct Body {
     bool big;
     std::string bytes;
-    template <typename T>
+    template<typename T>
     Body& add(T value) {
         char raw[sizeof(T)];
         std::memcpy(raw, &value, sizeof(T));
@@ -53,11 +53,12 @@ std::string awkward_binary(bool big) {
 }
 
 std::string tetra_text(const std::string& end) {
-    std::string text = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float z\nproperty uchar red\n"
-                       "property float y\nproperty float x\nelement face 2\nproperty list uchar int vertex_indices\n"
-                       "property uchar material\nend_header\n"
-                       "0.00 255 0.00 0.00\n0.00 9 0.00 1.00\n0.0 8 1.0 0.00\n1.00 7 0.25 0\n"
-                       "3 0 1 2 5\n4 0 1 3 2 6\n";
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float z\nproperty uchar red\n"
+        "property float y\nproperty float x\nelement face 2\nproperty list uchar int vertex_indices\n"
+        "property uchar material\nend_header\n"
+        "0.00 255 0.00 0.00\n0.00 9 0.00 1.00\n0.0 8 1.0 0.00\n1.00 7 0.25 0\n"
+        "3 0 1 2 5\n4 0 1 3 2 6\n";
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += end.size())
         text.replace(at, 1, end);
     return text;
@@ -102,17 +103,21 @@ TEST_CASE("PLY: text with every kind of line end") {
 }
 
 TEST_CASE("PLY: triangle strips with -1 between them") {
-    const std::string bytes = header("ascii", "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
-                                              "element tristrips 1\nproperty list int int vertex_indices\n") +
-                              "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 1\n9 0 1 2 3 -1 2 3 4 -1\n";
-    CHECK(parse_as(Format::ply, bytes).mesh().triangles == std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}});
+    const std::string bytes =
+        header("ascii", "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n"
+                        "element tristrips 1\nproperty list int int vertex_indices\n") +
+        "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 2 1\n9 0 1 2 3 -1 2 3 4 -1\n";
+    CHECK(parse_as(Format::ply, bytes).mesh().triangles ==
+          std::vector<Triangle>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}});
 }
 
 TEST_CASE("PLY: errors say where") {
     const std::string xyz = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
     const std::string face = "element face 1\nproperty list char int vertex_indices\n";
     const std::string v = "0 0 0\n1 0 0\n0 1 0\n";
-    const auto text = [&](const std::string& body) { return input_error(Format::ply, header("ascii", xyz + face) + body); };
+    const auto text = [&](const std::string& body) {
+        return input_error(Format::ply, header("ascii", xyz + face) + body);
+    };
     CHECK(text(v + "3 0 1 2\n").empty());
     CHECK(mentions(text(v + "3 0 1 3\n"), "line 13"));
     CHECK(mentions(text(v + "-3 0 1 2\n"), "below 0"));
@@ -121,13 +126,17 @@ TEST_CASE("PLY: errors say where") {
     CHECK(mentions(text(v + "2000000000 0 1 2"), "longer than the file"));
     CHECK(mentions(text("0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n"), "line 10"));
     CHECK(mentions(input_error(Format::ply, header("ascii", xyz) + v), "no faces"));
-    CHECK(mentions(input_error(Format::ply, header("ascii", "element vertex 99999999999\n" + xyz.substr(17))), "announces"));
+    CHECK(mentions(input_error(Format::ply, header("ascii", "element vertex 99999999999\n" + xyz.substr(17))),
+                   "announces"));
     CHECK(mentions(input_error(Format::ply, header("ascii", face)), "no element named vertex"));
     CHECK(mentions(input_error(Format::ply, header("strange", xyz)), "line 2"));
     CHECK(mentions(input_error(Format::ply, "ply\nformat ascii 1.0\nelement vertex 3\n"), "end_header"));
-    CHECK(mentions(input_error(Format::ply, header("ascii", "element vertex 1\nproperty quad x\n")), "line 4"));
-    CHECK(mentions(input_error(Format::ply, header("ascii", xyz + "element face 1\nproperty list float int vertex_index\n")),
-                   "floating-point"));
+    CHECK(
+        mentions(input_error(Format::ply, header("ascii", "element vertex 1\nproperty quad x\n")), "line 4"));
+    CHECK(
+        mentions(input_error(Format::ply,
+                             header("ascii", xyz + "element face 1\nproperty list float int vertex_index\n")),
+                 "floating-point"));
     std::string binary = awkward_binary(false);
     CHECK(mentions(input_error(Format::ply, binary.substr(0, binary.size() - 30)), "cut short"));
 }

@@ -29,10 +29,11 @@ TEST_CASE("STL: binary facets are welded; normals, header and attributes are kep
 }
 
 TEST_CASE("STL: text, with several solids and odd cases") {
-    const std::string bytes = "solid first facet\n FACET NORMAL nan 0 1\n  outer loop\n   vertex 0 0 0\n"
-                              "   vertex 1.0e+00 0 0\n   vertex 0 1.0e+00 0\n  endloop\n endfacet\nendsolid first\n"
-                              "solid\nfacet normal 0 0 1 outer loop vertex 1 0 0 vertex 1 1 0 vertex 0 1.00 0 endloop "
-                              "endfacet\nendsolid";
+    const std::string bytes =
+        "solid first facet\n FACET NORMAL nan 0 1\n  outer loop\n   vertex 0 0 0\n"
+        "   vertex 1.0e+00 0 0\n   vertex 0 1.0e+00 0\n  endloop\n endfacet\nendsolid first\n"
+        "solid\nfacet normal 0 0 1 outer loop vertex 1 0 0 vertex 1 1 0 vertex 0 1.00 0 endloop "
+        "endfacet\nendsolid";
     const Model model = parse_as(Format::stl, bytes);
     CHECK(model.mesh().positions.size() == 4);
     CHECK(model.mesh().triangles == std::vector<Triangle>{{0, 1, 2}, {1, 3, 2}});

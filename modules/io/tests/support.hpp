@@ -15,7 +15,9 @@
 
 namespace wm3d::io::test {
 
-inline Model parse_as(Format format, std::string bytes) { return parse(std::move(bytes), format, "model"); }
+inline Model parse_as(Format format, std::string bytes) {
+    return parse(std::move(bytes), format, "model");
+}
 
 /// Small moves, different for every vertex, in part of the largest coordinate.
 inline std::vector<Vec3> moved(const TriangleMesh& mesh, double amount) {
@@ -53,7 +55,8 @@ inline std::string check_patch(const std::string& bytes, Format format, double a
 }
 
 /// Pairs of words that differ between two texts; the spaces and line ends between words must be the same.
-inline std::vector<std::pair<std::string, std::string>> different_words(std::string_view a, std::string_view b) {
+inline std::vector<std::pair<std::string, std::string>> different_words(std::string_view a,
+                                                                        std::string_view b) {
     std::vector<std::pair<std::string, std::string>> different;
     std::size_t i = 0, j = 0;
     const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };

@@ -21,7 +21,7 @@ TEST_CASE("real models are mapped and their vertices come back") {
         return;
     }
     for (const std::string file : {"stanford-bunny.obj", "fandisk.obj", "rocker-arm.obj", "spot.obj",
-                             "nefertiti.obj", "horse.ply", "thing-73416.stl", "DamagedHelmet.glb"}) {
+                                   "nefertiti.obj", "horse.ply", "thing-73416.stl", "DamagedHelmet.glb"}) {
         CAPTURE(file);
         const TriangleMesh mesh = io::read(std::filesystem::path(folder) / file).mesh();
         const BaseDomain domain = parameterize(mesh, {.target_vertices = 2000});

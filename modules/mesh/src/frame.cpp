@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t block = 16384;
 
-// A mesh of less sphericity or more openness isn't taken for a solid. Attacks change them by factors of a few:
-// noise of 0.5 % turns the 0.054 of a lattice into 0.015.
+// A mesh of less sphericity or more openness isn't taken for a solid. Attacks change them by factors of a
+// few: noise of 0.5 % turns the 0.054 of a lattice into 0.015.
 constexpr double least_sphericity = 0.003;
 constexpr double most_openness = 0.1;
 constexpr double doubt = 3; ///< factor by which an attack may have moved them
@@ -46,15 +46,16 @@ struct FirstMoments {
 };
 
 FirstMoments first_moments(const TriangleMesh& mesh, const Vec3& origin) {
-    return parallel_sum(mesh.triangles.size(), block, FirstMoments{}, [&](std::size_t begin, std::size_t end) {
-        FirstMoments sum;
-        for (std::size_t f = begin; f < end; ++f) {
-            const Corners t = corners(mesh, f, origin);
-            sum.area += t.area;
-            sum.moment += t.area / 3 * (t.a + t.b + t.c);
-        }
-        return sum;
-    });
+    return parallel_sum(mesh.triangles.size(), block, FirstMoments{},
+                        [&](std::size_t begin, std::size_t end) {
+                            FirstMoments sum;
+                            for (std::size_t f = begin; f < end; ++f) {
+                                const Corners t = corners(mesh, f, origin);
+                                sum.area += t.area;
+                                sum.moment += t.area / 3 * (t.a + t.b + t.c);
+                            }
+                            return sum;
+                        });
 }
 
 /// Integral of p p^T over the surface: on a triangle, area/12 (s s^T + a a^T + b b^T + c c^T), s = a + b + c.
@@ -65,8 +66,9 @@ Mat3 second_moments(const TriangleMesh& mesh, const Vec3& origin) {
         for (std::size_t f = begin; f < end; ++f) {
             const Corners t = corners(mesh, f, origin);
             const Vec3 s = t.a + t.b + t.c;
-            sum += t.area / 12 *
-                   (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+            sum +=
+                t.area / 12 *
+                (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
         }
         return sum;
     });
@@ -84,8 +86,8 @@ Cone cone(const TriangleMesh& mesh, std::size_t f, const Vec3& apex) {
     return result;
 }
 
-/// What the volume and the first moment about any apex follow from: sums over the triangles of the signed volumes v
-/// under them, of the area vectors n, of v s and of s n^T, with s the sum of the corners.
+/// What the volume and the first moment about any apex follow from: sums over the triangles of the signed
+/// volumes v under them, of the area vectors n, of v s and of s n^T, with s the sum of the corners.
 struct ApexSums {
     double volume = 0;
     Vec3 area_vector = Vec3::Zero(), moment = Vec3::Zero();
@@ -126,14 +128,16 @@ Mat3 solid_second_moments(const TriangleMesh& mesh, const Vec3& apex) {
         for (std::size_t f = begin; f < end; ++f) {
             const Cone t = cone(mesh, f, apex);
             const Vec3 s = t.a + t.b + t.c;
-            sum += t.volume / 20 *
-                   (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+            sum +=
+                t.volume / 20 *
+                (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
         }
         return sum;
     });
 }
 
-/// The apex that is the centroid of what the surface and the cone over its openings enclose; none without volume.
+/// The apex that is the centroid of what the surface and the cone over its openings enclose; none without
+/// volume.
 std::optional<Vec3> own_apex(const ApexSums& sums, double size) {
     Vec3 apex = Vec3::Zero();
     // The apex of a closed surface makes no difference, so one step ends it; small holes take a few.
@@ -178,8 +182,9 @@ SurfaceMoments surface_moments(const TriangleMesh& mesh) {
     const Vec3 origin = 0.5 * (box.min + box.max);
     const FirstMoments first = first_moments(mesh, origin);
     if (!(first.area > 0))
-        throw GeometryError("the mesh has no surface area: all its triangles are degenerate, so there is nothing "
-                            "to mark or to examine; check that the file holds the model that you mean");
+        throw GeometryError(
+            "the mesh has no surface area: all its triangles are degenerate, so there is nothing "
+            "to mark or to examine; check that the file holds the model that you mean");
     SurfaceMoments moments;
     moments.area = first.area;
     moments.centroid = origin + first.moment / first.area;
@@ -212,7 +217,9 @@ double mean_radius(const TriangleMesh& mesh, const Vec3& centre) {
     return area > 0 ? sum / area : 0;
 }
 
-SolidMoments solid_moments(const TriangleMesh& mesh) { return shape_moments(mesh).solid; }
+SolidMoments solid_moments(const TriangleMesh& mesh) {
+    return shape_moments(mesh).solid;
+}
 
 ShapeMoments shape_moments(const TriangleMesh& mesh) {
     ShapeMoments moments{surface_moments(mesh), {}};
@@ -231,7 +238,9 @@ ShapeMoments shape_moments(const TriangleMesh& mesh) {
     return moments;
 }
 
-Substance ShapeMoments::substance() const { return is_solid(solid, 1) ? Substance::solid : Substance::surface; }
+Substance ShapeMoments::substance() const {
+    return is_solid(solid, 1) ? Substance::solid : Substance::surface;
+}
 
 std::vector<Substance> ShapeMoments::possible_substances() const {
     const bool perhaps = is_solid(solid, 1 / doubt), surely = is_solid(solid, doubt);
@@ -252,7 +261,8 @@ Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
     frame.centroid = moments.centroid;
     frame.scale = mean_radius(mesh, frame.centroid);
     if (!(frame.scale > 0))
-        throw GeometryError("all points of the surface coincide, so the mesh has no shape to mark or to examine");
+        throw GeometryError(
+            "all points of the surface coincide, so the mesh has no shape to mark or to examine");
 
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moments.covariance); // ascending
     Mat3 axes;

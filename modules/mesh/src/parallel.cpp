@@ -20,7 +20,9 @@ ThreadLimit::ThreadLimit(std::size_t threads)
     : control_(threads == 0 ? nullptr
                             : new Control{{tbb::global_control::max_allowed_parallelism, threads}}) {}
 
-ThreadLimit::~ThreadLimit() { delete control_; }
+ThreadLimit::~ThreadLimit() {
+    delete control_;
+}
 
 std::size_t thread_count() {
     return std::min(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism),
@@ -35,16 +37,14 @@ void parallel_blocks(std::size_t count, std::size_t block,
         return;
     }
     const std::size_t blocks = (count + block - 1) / block;
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t b) {
-        body(b * block, std::min(count, (b + 1) * block));
-    });
+    tbb::parallel_for(std::size_t{0}, blocks,
+                      [&](std::size_t b) { body(b * block, std::min(count, (b + 1) * block)); });
 }
 
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& body) {
     std::atomic<std::size_t> next{0};
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t) {
-        tbb::this_task_arena::isolate([&] { body(next++); });
-    });
+    tbb::parallel_for(std::size_t{0}, count,
+                      [&](std::size_t) { tbb::this_task_arena::isolate([&] { body(next++); }); });
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {

@@ -34,7 +34,7 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
 }
 
 /// Calls visit(sides) for every edge with the sides that lie on it.
-template <typename Visitor>
+template<typename Visitor>
 void for_each_edge(const std::vector<Side>& sides, Visitor&& visit) {
     for (auto first = sides.begin(); first != sides.end();) {
         const auto last = std::find_if(
@@ -142,7 +142,8 @@ std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
 }
 
 double enclosed_volume(const TriangleMesh& mesh) {
-    // Tetrahedra over the triangles, from a corner of the box: near the surface, digits aren't lost to a far origin.
+    // Tetrahedra over the triangles, from a corner of the box: near the surface, digits aren't lost to a far
+    // origin.
     const Vec3 origin = surface_box(mesh).min;
     return parallel_sum(mesh.triangles.size(), 4096, 0.0, [&](std::size_t begin, std::size_t end) {
         double sum = 0;

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t block = 8192;
 
 /// Applies `step(from, v)` to every vertex, `steps` times.
-template <typename Step>
+template<typename Step>
 std::vector<Vec3> repeat(std::vector<Vec3> x, int steps, const Step& step) {
     std::vector<Vec3> previous(x.size());
     for (int i = 0; i < steps; ++i) {

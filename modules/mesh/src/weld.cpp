@@ -39,7 +39,8 @@ std::vector<Index> first_equal(std::span<const Vec3> positions) {
 
 Welded weld(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
     if (positions.size() >= no_index)
-        throw GeometryError("the mesh has more than 4 294 967 294 vertices, which is more than wm3d can number");
+        throw GeometryError(
+            "the mesh has more than 4 294 967 294 vertices, which is more than wm3d can number");
     Welded welded;
     welded.vertex_of = first_equal(positions);
     for (std::size_t i = 0; i < positions.size(); ++i) {

@@ -63,8 +63,18 @@ TEST_CASE("moments and frame don't depend on the triangulation") {
 TEST_CASE("moments of a solid are exact on a box, whichever way its triangles look") {
     // [0, 2] x [0, 4] x [0, 6], each side two triangles
     TriangleMesh box{{{0, 0, 0}, {2, 0, 0}, {2, 4, 0}, {0, 4, 0}, {0, 0, 6}, {2, 0, 6}, {2, 4, 6}, {0, 4, 6}},
-                     {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}, {0, 1, 5}, {0, 5, 4},
-                      {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}};
+                     {{0, 2, 1},
+                      {0, 3, 2},
+                      {4, 5, 6},
+                      {4, 6, 7},
+                      {0, 1, 5},
+                      {0, 5, 4},
+                      {1, 2, 6},
+                      {1, 6, 5},
+                      {2, 3, 7},
+                      {2, 7, 6},
+                      {3, 0, 4},
+                      {3, 4, 7}}};
     const double area = 2 * (8 + 12 + 24);
     for (double sign : {1.0, -1.0}) {
         const SolidMoments m = solid_moments(box);
@@ -88,7 +98,8 @@ TEST_CASE("a sheet is a surface, a box without a small window a solid, one witho
     const TriangleMesh fine = split(split(split(tetrahedron())));
     TriangleMesh window = fine, side = fine;
     window.triangles.erase(window.triangles.begin() + 5);
-    side.triangles.erase(side.triangles.begin(), side.triangles.begin() + static_cast<std::ptrdiff_t>(side.triangles.size() / 4));
+    side.triangles.erase(side.triangles.begin(),
+                         side.triangles.begin() + static_cast<std::ptrdiff_t>(side.triangles.size() / 4));
     CHECK(shape_moments(window).substance() == Substance::solid);
     CHECK(shape_moments(side).substance() == Substance::surface);
     // A cone from the centroid fills the window, so little moves.
@@ -113,7 +124,8 @@ TEST_CASE("noise that moves a surface in and out leaves the solid's frame alone 
         if (p.x() > surface.centroid.x())
             p += 0.01 * surface.scale * Vec3(uniform(), uniform(), uniform());
     const auto shift = [&](Substance s) {
-        return (canonical_frame(rough, s).centroid - canonical_frame(mesh, s).centroid).norm() / surface.scale;
+        return (canonical_frame(rough, s).centroid - canonical_frame(mesh, s).centroid).norm() /
+               surface.scale;
     };
     CHECK(shift(Substance::surface) > 5 * shift(Substance::solid));
 }
@@ -142,8 +154,9 @@ TEST_CASE("in the canonical frame the centroid is 0 and the mean radius 1, and t
 
 TEST_CASE("the mean radius of a fine sphere-like surface is close to its radius") {
     // An octahedron split and pushed to the unit sphere.
-    TriangleMesh ball{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-                      {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+    TriangleMesh ball{
+        {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+        {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
     for (int i = 0; i < 5; ++i) {
         ball = split(ball);
         for (Vec3& p : ball.positions)

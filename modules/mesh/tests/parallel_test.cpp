@@ -65,10 +65,11 @@ TEST_CASE("a task with a loop of its own never starts inside another") {
 }
 
 TEST_CASE("an exception in a task reaches the caller") {
-    CHECK_THROWS_AS(parallel_tasks(10, [](std::size_t i) {
-                        if (i == 5)
-                            throw std::runtime_error("task 5");
-                    }),
+    CHECK_THROWS_AS(parallel_tasks(10,
+                                   [](std::size_t i) {
+                                       if (i == 5)
+                                           throw std::runtime_error("task 5");
+                                   }),
                     std::runtime_error);
 }
 

@@ -95,17 +95,19 @@ TEST_CASE("the opening of a border is the area vector that is missing") {
 
 TEST_CASE("a crack is a border that opens nothing, and every part has borders of its own") {
     // Two strips side by side that share positions along a line but no vertices.
-    const TriangleMesh crack{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
-                             {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
+    const TriangleMesh crack{
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}},
+        {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}}};
     const std::vector<BorderLoop> loops = border_loops(crack);
     REQUIRE(loops.size() == 2);
     CHECK(loops[0].opening.z() == doctest::Approx(-1));
     CHECK(loops[1].opening.z() == doctest::Approx(-1));
 
     const TriangleMesh slit{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, -2, 0}, {1, 0, 0}, {1, 0, 0}, {-1, 0, 0}},
-                      {{0, 4, 2}, {4, 1, 2}, {0, 3, 5}, {5, 3, 1}, {0, 2, 6}, {0, 6, 3}}};
+                            {{0, 4, 2}, {4, 1, 2}, {0, 3, 5}, {5, 3, 1}, {0, 2, 6}, {0, 6, 3}}};
     double openings = 0;
     for (const BorderLoop& loop : border_loops(slit))
         openings += loop.opening.norm();
-    CHECK(openings == doctest::Approx(surface_area(slit))); // the outline alone, though the slit is a border too
+    CHECK(openings ==
+          doctest::Approx(surface_area(slit))); // the outline alone, though the slit is a border too
 }

@@ -12,7 +12,8 @@ namespace {
 /// A fan of six triangles around vertex 0, open on the outside, and an isolated vertex.
 TriangleMesh hexagon() {
     TriangleMesh mesh;
-    mesh.positions = {{0, 0, 1}, {1, 0, 0}, {0.5, 1, 0}, {-0.5, 1, 0}, {-1, 0, 0}, {-0.5, -1, 0}, {0.5, -1, 0}, {9, 9, 9}};
+    mesh.positions = {{0, 0, 1},  {1, 0, 0},     {0.5, 1, 0},  {-0.5, 1, 0},
+                      {-1, 0, 0}, {-0.5, -1, 0}, {0.5, -1, 0}, {9, 9, 9}};
     for (Index k = 0; k < 6; ++k)
         mesh.triangles.push_back({0, k + 1, (k + 1) % 6 + 1});
     return mesh;

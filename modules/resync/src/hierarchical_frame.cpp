@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This work is based on the proposal of section 4 of the paper: principal components over a hierarchy of levels.
+// This work is based on the proposal of section 4 of the paper: principal components over a hierarchy of
+// levels.
 #include <wm3d/resync/hierarchical_frame.hpp>
 
 #include <algorithm>
@@ -43,7 +44,8 @@ Ambiguity ambiguity_of(const Vec3& moments, double least_gap) {
     return equal == 2 ? Ambiguity::all : equal == 1 ? Ambiguity::plane : Ambiguity::none;
 }
 
-/// Turn about axis k that a relative change of the moments can cause, in degrees: perturbation over eigenvalue gap.
+/// Turn about axis k that a relative change of the moments can cause, in degrees: perturbation over
+/// eigenvalue gap.
 double turn_about(const Vec3& moments, int k, double change) {
     const double gap = relative_gap(moments, (k + 1) % 3, (k + 2) % 3);
     return gap > 0 ? std::min(widest, degrees * change / gap) : widest;
@@ -111,19 +113,22 @@ std::string_view describe(Ambiguity ambiguity) {
     case Ambiguity::none:
         return "its surface has three clear principal axes";
     case Ambiguity::plane:
-        return "two of its principal moments are equal, as on a vase of revolution, so its surface doesn't tell how "
+        return "two of its principal moments are equal, as on a vase of revolution, so its surface doesn't "
+               "tell how "
                "it is turned about one axis";
     case Ambiguity::all:
-        return "its three principal moments are equal, as on a sphere or a cube, so its surface doesn't tell how it "
+        return "its three principal moments are equal, as on a sphere or a cube, so its surface doesn't tell "
+               "how it "
                "is turned";
     }
     return "";
 }
 
-FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options,
-                             const Progress& progress) {
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
+                             const HierarchyOptions& options, const Progress& progress) {
     const ShapeMoments moments = shape_moments(mesh);
-    return estimate_frame(mesh, base, moments.substance(), moments.of(moments.substance()), options, progress);
+    return estimate_frame(mesh, base, moments.substance(), moments.of(moments.substance()), options,
+                          progress);
 }
 
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,

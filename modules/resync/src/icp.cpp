@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This work is based on Y. Chen, G. Medioni, "Object modelling by registration of multiple range images" (1992):
-// the distance that is minimized is the one along the normal.
+// This work is based on Y. Chen, G. Medioni, "Object modelling by registration of multiple range images"
+// (1992): the distance that is minimized is the one along the normal.
 #include "icp.hpp"
 
 #include <algorithm>
@@ -18,8 +18,8 @@ namespace {
 constexpr double least_cosine = 0.6; // of normals that may belong together
 constexpr std::size_t least_terms = 20;
 
-std::vector<PointToPlane> terms_on_points(const PointIndex& whole, const PoseTemplate& part, const Similarity& pose,
-                                          double reach, std::size_t stride) {
+std::vector<PointToPlane> terms_on_points(const PointIndex& whole, const PoseTemplate& part,
+                                          const Similarity& pose, double reach, std::size_t stride) {
     std::vector<PointToPlane> terms;
     for (std::size_t i = 0; i < part.points.size(); i += stride) {
         const Vec3 p = pose(part.points[i]);
@@ -37,8 +37,8 @@ struct Match {
     double distance;
 };
 
-std::vector<Match> matches_on_surface(const PoseTemplate& whole, const ContactSurface& part, const Similarity& pose,
-                                      double reach) {
+std::vector<Match> matches_on_surface(const PoseTemplate& whole, const ContactSurface& part,
+                                      const Similarity& pose, double reach) {
     std::vector<std::optional<Contact>> contacts(whole.points.size());
     parallel_blocks(contacts.size(), 128, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -48,7 +48,8 @@ std::vector<Match> matches_on_surface(const PoseTemplate& whole, const ContactSu
     for (std::size_t i = 0; i < contacts.size(); ++i)
         if (contacts[i] && contacts[i]->distance < reach &&
             contacts[i]->normal.dot(pose.rotation * whole.normals[i]) > least_cosine)
-            matches.push_back({{whole.points[i], contacts[i]->foot, contacts[i]->normal}, contacts[i]->distance});
+            matches.push_back(
+                {{whole.points[i], contacts[i]->foot, contacts[i]->normal}, contacts[i]->distance});
     return matches;
 }
 

@@ -117,8 +117,8 @@ struct Scored {
 };
 
 /// Scores in parallel and leaves the best, in their order.
-void keep_best(std::vector<Scored>& scored, std::size_t count, const PointIndex& whole, const PoseTemplate& part,
-               double tolerance, std::size_t stride) {
+void keep_best(std::vector<Scored>& scored, std::size_t count, const PointIndex& whole,
+               const PoseTemplate& part, double tolerance, std::size_t stride) {
     parallel_blocks(scored.size(), 64, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
             scored[k].score = explained(whole, part, scored[k].pose, tolerance, stride);
@@ -141,13 +141,15 @@ double explained(const PointIndex& whole, const PoseTemplate& part, const Simila
         const Vec3 away = p - whole.points().points[near];
         const Vec3& normal = whole.points().normals[near];
         const double distance = std::abs(normal.dot(away)) / tolerance;
-        if (distance < 1 && away.norm() < spacing && normal.dot(pose.rotation * part.normals[i]) > least_cosine)
+        if (distance < 1 && away.norm() < spacing &&
+            normal.dot(pose.rotation * part.normals[i]) > least_cosine)
             sum += 1 - distance * distance;
     }
     return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
-std::vector<Similarity> pair_starts(const PointIndex& whole, const PointIndex& part, const PairOptions& options) {
+std::vector<Similarity> pair_starts(const PointIndex& whole, const PointIndex& part,
+                                    const PairOptions& options) {
     const std::vector<Pair> of_whole = make_pairs(whole, options.points, 0.3, 2.5);
     const std::vector<Pair> of_part = make_pairs(part, options.points, 0.8, 3);
     std::vector<Scored> scored;

@@ -10,14 +10,17 @@ namespace {
 struct Points {
     const std::vector<Vec3>& points;
     std::size_t kdtree_get_point_count() const { return points.size(); }
-    double kdtree_get_pt(std::size_t i, std::size_t axis) const { return points[i][static_cast<Eigen::Index>(axis)]; }
-    template <typename Box>
+    double kdtree_get_pt(std::size_t i, std::size_t axis) const {
+        return points[i][static_cast<Eigen::Index>(axis)];
+    }
+    template<typename Box>
     bool kdtree_get_bbox(Box&) const {
         return false;
     }
 };
 
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>, Points, 3, Index>;
+using KdTree =
+    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>, Points, 3, Index>;
 
 } // namespace
 

@@ -19,7 +19,7 @@ struct PointToPlane {
     /// \param rotation     unit quaternion of R: x, y, z, w
     /// \param log_scale    s
     /// \param translation  t
-    template <typename T>
+    template<typename T>
     bool operator()(const T* rotation, const T* log_scale, const T* translation, T* distance) const {
         using std::exp;
         using Vector = Eigen::Matrix<T, 3, 1>;

@@ -33,14 +33,18 @@ std::string hex(std::span<const unsigned char> bytes) {
 std::string check_sum(const ordered_json& json) {
     const std::string text = json.dump();
     std::array<unsigned char, 32> sum{};
-    crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const unsigned char*>(text.data()), text.size(),
-                       nullptr, 0);
+    crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const unsigned char*>(text.data()),
+                       text.size(), nullptr, 0);
     return hex(sum);
 }
 
-ordered_json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
+ordered_json to_json(const Vec3& v) {
+    return {v[0], v[1], v[2]};
+}
 
-ordered_json to_json(const FileDigest& file) { return {{"sha256", file.sha256}, {"bytes", file.bytes}}; }
+ordered_json to_json(const FileDigest& file) {
+    return {{"sha256", file.sha256}, {"bytes", file.bytes}};
+}
 
 Vec3 vector_from(const ordered_json& json) {
     const auto values = json.get<std::array<double, 3>>();
@@ -99,16 +103,18 @@ int version_of(const ordered_json& json) {
 ordered_json checked_json(std::string_view text, std::string_view file_name) {
     ordered_json json = ordered_json::parse(text, nullptr, false);
     if (json.is_discarded())
-        throw InputError(fmt::format("{}: not a complete receipt (it holds {} bytes that are no whole JSON text); give "
-                                     "the file that `mark --receipt` wrote, uncut",
-                                     file_name, text.size()));
+        throw InputError(
+            fmt::format("{}: not a complete receipt (it holds {} bytes that are no whole JSON text); give "
+                        "the file that `mark --receipt` wrote, uncut",
+                        file_name, text.size()));
     const int version = version_of(json);
     if (version == 0)
-        throw InputError(fmt::format("{}: this is no receipt of wm3d; give the file that `mark --receipt` wrote",
-                                     file_name));
+        throw InputError(fmt::format(
+            "{}: this is no receipt of wm3d; give the file that `mark --receipt` wrote", file_name));
     if (version > Receipt::format_version)
-        throw InputError(fmt::format("{}: the receipt has format {}, and this wm3d reads up to {}; use a newer wm3d",
-                                     file_name, version, Receipt::format_version));
+        throw InputError(
+            fmt::format("{}: the receipt has format {}, and this wm3d reads up to {}; use a newer wm3d",
+                        file_name, version, Receipt::format_version));
     return json;
 }
 
@@ -139,19 +145,23 @@ std::string to_text(const Receipt& receipt) {
         {"frame",
          {{"centroid", to_json(receipt.frame.centroid)}, {"axes", axes}, {"scale", receipt.frame.scale}}},
         {"template",
-         {{"min", to_json(box.min)}, {"max", to_json(box.max)}, {"data", encode(receipt.pose_template, box)}}}};
+         {{"min", to_json(box.min)},
+          {"max", to_json(box.max)},
+          {"data", encode(receipt.pose_template, box)}}}};
     json["digest"] = check_sum(json);
     return json.dump(2) + "\n";
 }
 
 Receipt parse_receipt(std::string_view text, std::string_view file_name) {
     ordered_json json = checked_json(text, file_name);
-    const std::string expected = json.value("digest", ordered_json()).is_string() ? json["digest"].get<std::string>() : "";
+    const std::string expected =
+        json.value("digest", ordered_json()).is_string() ? json["digest"].get<std::string>() : "";
     json.erase("digest");
     if (check_sum(json) != expected)
-        throw InputError(fmt::format("{}: the receipt was altered after it was written (its digest doesn't fit); give an "
-                                     "untouched copy",
-                                     file_name));
+        throw InputError(
+            fmt::format("{}: the receipt was altered after it was written (its digest doesn't fit); give an "
+                        "untouched copy",
+                        file_name));
     try {
         Receipt receipt = receipt_from(json);
         if (is_frame(receipt.frame) && !receipt.pose_template.points.empty())
@@ -159,9 +169,10 @@ Receipt parse_receipt(std::string_view text, std::string_view file_name) {
     } catch (const ordered_json::exception&) {
         // told below, in the words of the receipt and not of the JSON library
     }
-    throw InputError(fmt::format("{}: a field of the receipt is missing or out of range; give the file that `mark "
-                                 "--receipt` wrote",
-                                 file_name));
+    throw InputError(
+        fmt::format("{}: a field of the receipt is missing or out of range; give the file that `mark "
+                    "--receipt` wrote",
+                    file_name));
 }
 
 } // namespace wm3d::resync

@@ -13,7 +13,9 @@
 
 namespace wm3d::resync {
 
-bool has_registration() { return true; }
+bool has_registration() {
+    return true;
+}
 
 namespace {
 
@@ -50,8 +52,8 @@ std::vector<Similarity> axis_starts(const Unit& whole, const Unit& part) {
     return starts;
 }
 
-/// Whether normals point inwards on the whole: files of inside-out triangles are common, and a mirror image may have
-/// kept the order of its corners.
+/// Whether normals point inwards on the whole: files of inside-out triangles are common, and a mirror image
+/// may have kept the order of its corners.
 bool inside_out(const PoseTemplate& unit_points) {
     double flux = 0;
     for (std::size_t i = 0; i < unit_points.points.size(); ++i)
@@ -122,8 +124,8 @@ double coverage(const PointIndex& whole, const PoseTemplate& part, const Similar
     return static_cast<double>(on_it) / static_cast<double>(part.points.size());
 }
 
-void refine_all(std::vector<Attempt>& attempts, const std::vector<Similarity>& starts, const PointIndex& whole,
-                const Part& part, const RegistrationOptions& options) {
+void refine_all(std::vector<Attempt>& attempts, const std::vector<Similarity>& starts,
+                const PointIndex& whole, const Part& part, const RegistrationOptions& options) {
     constexpr std::size_t points = 250;
     const std::size_t stride = std::max<std::size_t>(1, part.points().points.size() / points);
     const std::size_t before = attempts.size();
@@ -145,7 +147,8 @@ double rival_coverage(const std::vector<Attempt>& attempts) {
     return 0;
 }
 
-Registration register_proper(const PoseTemplate& original, const Part& part, const RegistrationOptions& options) {
+Registration register_proper(const PoseTemplate& original, const Part& part,
+                             const RegistrationOptions& options) {
     const Unit unit = unit_of(original);
     const PoseTemplate whole = outward(moved(original, unit.to_unit));
     const PointIndex index(whole);

@@ -8,18 +8,24 @@ namespace wm3d::resync {
 namespace {
 
 [[noreturn]] void refuse() {
-    throw ParameterError("this build of wm3d can't register against a receipt or a reference, because it was made "
-                         "without Ceres; build it with -DWM3D_RESYNC=ON");
+    throw ParameterError(
+        "this build of wm3d can't register against a receipt or a reference, because it was made "
+        "without Ceres; build it with -DWM3D_RESYNC=ON");
 }
 
 } // namespace
 
-bool has_registration() { return false; }
+bool has_registration() {
+    return false;
+}
 
-Registration register_template(const PoseTemplate&, const TriangleMesh&, const RegistrationOptions&, const Progress&) {
+Registration register_template(const PoseTemplate&, const TriangleMesh&, const RegistrationOptions&,
+                               const Progress&) {
     refuse();
 }
 
-SurfaceDifference surface_difference(const TriangleMesh&, const TriangleMesh&, double) { refuse(); }
+SurfaceDifference surface_difference(const TriangleMesh&, const TriangleMesh&, double) {
+    refuse();
+}
 
 } // namespace wm3d::resync

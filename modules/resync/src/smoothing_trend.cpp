@@ -13,7 +13,8 @@ namespace {
 
 /// `frame` moved and turned on by `times` of what leads from `smoothed` to it.
 Frame extrapolated(const Frame& frame, const Frame& smoothed, double times) {
-    constexpr double most_turn = 0.1; // more, in radians, is no trend: the axes of a shape that hardly has any
+    constexpr double most_turn =
+        0.1; // more, in radians, is no trend: the axes of a shape that hardly has any
     const Eigen::AngleAxisd turn(Mat3(frame.axes * smoothed.axes.transpose()));
     Frame before = frame;
     if (turn.angle() < most_turn)
@@ -29,8 +30,8 @@ bool differ(const Frame& a, const Frame& b, const TrendOptions& options) {
 
 } // namespace
 
-std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, const Frame& frame, Substance substance,
-                                                   const TrendOptions& options) {
+std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, const Frame& frame,
+                                                   Substance substance, const TrendOptions& options) {
     if (mesh.positions.size() > options.most_vertices)
         return {};
     TriangleMesh smooth = mesh;

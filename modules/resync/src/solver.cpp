@@ -31,8 +31,8 @@ Similarity solve(std::span<const PointToPlane> terms, const Similarity& start, d
     ownership.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(ownership);
     for (const PointToPlane& term : terms)
-        problem.AddResidualBlock(new TermCost(new PointToPlane(term)), &loss, rotation.coeffs().data(), &log_scale,
-                                 translation.data());
+        problem.AddResidualBlock(new TermCost(new PointToPlane(term)), &loss, rotation.coeffs().data(),
+                                 &log_scale, translation.data());
     problem.SetManifold(rotation.coeffs().data(), new ceres::EigenQuaternionManifold);
 
     ceres::Solver::Summary summary;

@@ -10,8 +10,8 @@
 
 namespace wm3d::resync {
 
-/// The similarity near `start` that takes the points to their planes, under Tukey's biweight: a point farther from its
-/// plane than `loss_width` has no say.
+/// The similarity near `start` that takes the points to their planes, under Tukey's biweight: a point farther
+/// from its plane than `loss_width` has no say.
 Similarity solve(std::span<const PointToPlane> terms, const Similarity& start, double loss_width);
 
 } // namespace wm3d::resync

@@ -18,7 +18,8 @@ std::vector<std::array<bool, 3>> border_edges(const TriangleMesh& mesh) {
     edges.reserve(3 * mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f)
         for (Index k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(mesh.triangles[f][(k + 1) % 3], mesh.triangles[f][(k + 2) % 3]);
+            const auto [low, high] =
+                std::minmax(mesh.triangles[f][(k + 1) % 3], mesh.triangles[f][(k + 2) % 3]);
             edges.push_back({low, high, f, k});
         }
     const auto ends = [](const Edge& e) { return std::tie(e.low, e.high); };

@@ -31,7 +31,8 @@ private:
     const TriangleMesh& mesh_;
     metrics::SurfaceTree tree_;
     std::vector<Vec3> normals_;
-    std::vector<std::array<bool, 3>> border_; ///< #F: whether the edge opposite corner k has one triangle only
+    std::vector<std::array<bool, 3>>
+        border_; ///< #F: whether the edge opposite corner k has one triangle only
 };
 
 } // namespace wm3d::resync

@@ -11,7 +11,8 @@
 
 namespace wm3d::resync {
 
-SurfaceDifference surface_difference(const TriangleMesh& reference, const TriangleMesh& suspect, double reach) {
+SurfaceDifference surface_difference(const TriangleMesh& reference, const TriangleMesh& suspect,
+                                     double reach) {
     constexpr double least_cosine = 0.3;
     const ContactSurface surface(suspect);
     const std::vector<Vec3> normals = vertex_normals(reference);
@@ -20,7 +21,8 @@ SurfaceDifference surface_difference(const TriangleMesh& reference, const Triang
     parallel_blocks(count, 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const std::optional<Contact> contact = surface.contact(reference.positions[i]);
-            if (!contact || contact->distance > reach || std::abs(contact->normal.dot(normals[i])) < least_cosine) // mirrors turn normals round
+            if (!contact || contact->distance > reach ||
+                std::abs(contact->normal.dot(normals[i])) < least_cosine) // mirrors turn normals round
                 continue;
             result.along_normal[i] = normals[i].dot(contact->foot - reference.positions[i]);
             result.trust[i] = 1;

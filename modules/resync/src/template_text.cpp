@@ -31,8 +31,8 @@ std::string encode(const PoseTemplate& pose_template, const Box& box) {
             bytes += static_cast<char>(std::lround(pose_template.normals[i][k] * normal_steps));
     }
     std::string text(sodium_base64_ENCODED_LEN(bytes.size(), base64), '\0');
-    sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
-                      base64);
+    sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
+                      bytes.size(), base64);
     text.pop_back(); // the terminating zero
     return text;
 }
@@ -41,8 +41,8 @@ std::optional<PoseTemplate> decode(std::string_view text, const Box& box) {
     std::string bytes(text.size(), '\0');
     std::size_t size = 0;
     const char* end = nullptr;
-    if (sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(), text.size(),
-                          nullptr, &size, &end, base64) != 0 ||
+    if (sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(),
+                          text.size(), nullptr, &size, &end, base64) != 0 ||
         end != text.data() + text.size() || size == 0 || size % bytes_per_point != 0)
         return std::nullopt;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };

@@ -11,7 +11,8 @@
 
 namespace wm3d::resync {
 
-/// Base64 of nine bytes per point: three 16-bit little-endian fractions of the box, three signed bytes of the normal.
+/// Base64 of nine bytes per point: three 16-bit little-endian fractions of the box, three signed bytes of the
+/// normal.
 std::string encode(const PoseTemplate& pose_template, const Box& box);
 
 /// None if the text isn't what `encode` makes.

@@ -75,9 +75,10 @@ TEST_CASE("where two moments are equal, turns and an exchange of axes are tried,
 }
 
 TEST_CASE("a similarity and its inverse compose to nothing, and tell mirrors") {
-    const resync::Similarity t{Eigen::AngleAxisd(1, Vec3(1, 1, 0).normalized()).toRotationMatrix(), 0.2, Vec3(1, 2, 3)};
+    const resync::Similarity t{Eigen::AngleAxisd(1, Vec3(1, 1, 0).normalized()).toRotationMatrix(), 0.2,
+                               Vec3(1, 2, 3)};
     const Vec3 p(0.3, -2, 5);
-    CHECK(((t * t.inverse())(p) - p).norm() < 1e-12);
+    CHECK(((t * t.inverse())(p)-p).norm() < 1e-12);
     CHECK(((t.matrix() * p.homogeneous()).head<3>() - t(p)).norm() < 1e-12);
     CHECK_FALSE(t.mirrors());
     CHECK(resync::Similarity{-t.rotation, 1, Vec3::Zero()}.mirrors());

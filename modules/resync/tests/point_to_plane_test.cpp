@@ -40,7 +40,8 @@ TEST_CASE("the Jacobians that Ceres derives agree with central differences") {
         Parameters above = at, below = at;
         above[k] += step;
         below[k] -= step;
-        CHECK(derived[k] == doctest::Approx((distance(term, above) - distance(term, below)) / (2 * step)).epsilon(1e-8));
+        CHECK(derived[k] ==
+              doctest::Approx((distance(term, above) - distance(term, below)) / (2 * step)).epsilon(1e-8));
     }
 }
 

@@ -61,21 +61,23 @@ TEST_CASE("a receipt reads back what was written, points to the rounding that is
 }
 
 TEST_CASE("the digests are SHA-256") { // "abc": the example of FIPS 180-4
-    CHECK(resync::digest_of("abc").sha256 == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK(resync::digest_of("abc").sha256 ==
+          "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     CHECK(resync::digest_of("abc").bytes == 3);
 }
 
 TEST_CASE("cut, altered, foreign and newer receipts are refused in one sentence") {
     const std::string text = resync::to_text(sample());
     for (std::size_t size : {std::size_t{0}, std::size_t{1}, text.size() / 2, text.size() - 3})
-        CHECK_THROWS_WITH_AS(resync::parse_receipt(text.substr(0, size), "r"), doctest::Contains("not a complete receipt"),
-                             InputError);
+        CHECK_THROWS_WITH_AS(resync::parse_receipt(text.substr(0, size), "r"),
+                             doctest::Contains("not a complete receipt"), InputError);
     CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "\"level\": 5", "\"level\": 4"), "r"),
                          doctest::Contains("altered"), InputError);
     CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "receipt/1", "receipt/2"), "r"),
                          doctest::Contains("newer wm3d"), InputError);
     for (const char* foreign : {"{}", "[]", "3", R"({"schema": "wm3d.verify/1"})", R"({"schema": 1})"})
-        CHECK_THROWS_WITH_AS(resync::parse_receipt(foreign, "r"), doctest::Contains("no receipt"), InputError);
+        CHECK_THROWS_WITH_AS(resync::parse_receipt(foreign, "r"), doctest::Contains("no receipt"),
+                             InputError);
 }
 
 TEST_CASE("a receipt with a right digest but impossible values is refused") {

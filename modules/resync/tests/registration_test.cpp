@@ -23,7 +23,9 @@ TriangleMesh moved(TriangleMesh mesh, const Similarity& t) {
     return mesh;
 }
 
-TriangleMesh lumpy() { return shapes::blob(6000, 5); }
+TriangleMesh lumpy() {
+    return shapes::blob(6000, 5);
+}
 
 void check_found(const Registration& found, const Similarity& truth, double degrees, double relative) {
     CHECK(found.aligned);
@@ -59,17 +61,17 @@ TEST_CASE("inside-out triangles don't matter, on either side") {
     TriangleMesh mesh = lumpy(), turned = mesh;
     for (Triangle& t : turned.triangles)
         std::swap(t[0], t[1]);
-    check_found(resync::register_template(resync::make_template(turned, 1500), moved(mesh, far_away)), far_away, 0.01,
-                1e-4);
-    check_found(resync::register_template(resync::make_template(turned, 1500), moved(turned, far_away)), far_away, 0.01,
-                1e-4);
+    check_found(resync::register_template(resync::make_template(turned, 1500), moved(mesh, far_away)),
+                far_away, 0.01, 1e-4);
+    check_found(resync::register_template(resync::make_template(turned, 1500), moved(turned, far_away)),
+                far_away, 0.01, 1e-4);
 }
 
 TEST_CASE("noise does not keep a copy from being aligned") {
     const TriangleMesh mesh = lumpy();
     const TriangleMesh noisy = attack::add_noise(mesh, 0.5, 1);
-    check_found(resync::register_template(resync::make_template(mesh, 1500), moved(noisy, far_away)), far_away, 0.1,
-                2e-3);
+    check_found(resync::register_template(resync::make_template(mesh, 1500), moved(noisy, far_away)),
+                far_away, 0.1, 2e-3);
 }
 
 TEST_CASE("a mirror image is aligned and told, whichever way its triangles turn") {

@@ -22,7 +22,9 @@ TriangleMesh spiky() {
     return mesh;
 }
 
-double shift(const Frame& a, const Frame& b) { return (a.centroid - b.centroid).norm() / b.scale; }
+double shift(const Frame& a, const Frame& b) {
+    return (a.centroid - b.centroid).norm() / b.scale;
+}
 
 } // namespace
 
@@ -32,7 +34,8 @@ TEST_CASE("the frame before smoothing is nearer than the smoothed mesh's own") {
     TriangleMesh smooth = mesh;
     smooth.positions = Umbrella(mesh).smooth(mesh.positions, 50, 0.1);
     const Frame own = canonical_frame(smooth, Substance::solid);
-    const std::vector<resync::CandidatePose> before = resync::frames_before_smoothing(smooth, own, Substance::solid);
+    const std::vector<resync::CandidatePose> before =
+        resync::frames_before_smoothing(smooth, own, Substance::solid);
     REQUIRE(before.size() == 2);
     const double error = shift(own, truth);
     CHECK(error > 0.01);

@@ -28,8 +28,8 @@ bool normalize(std::vector<double>& x, std::span<const double> area) {
 }
 
 /// B w, as far as it shows along the normals.
-std::vector<double> bumps(const TriangleMesh& base, std::span<const Vec3> normals, const sphere::SparseRows& rows,
-                          std::span<const double> w) {
+std::vector<double> bumps(const TriangleMesh& base, std::span<const Vec3> normals,
+                          const sphere::SparseRows& rows, std::span<const double> w) {
     std::vector<double> x = sphere::multiply(rows, w);
     for (std::size_t i = 0; i < x.size(); ++i)
         x[i] *= normals[i].dot(base.positions[i].normalized());
@@ -59,8 +59,8 @@ struct Stage {
     const sphere::SparseRows& rows;
     std::span<const double> w;
 
-    /// The template of the mark that is left after `steps`, carried back through them: the moves per area that
-    /// raise T most for their root mean square.
+    /// The template of the mark that is left after `steps`, carried back through them: the moves per area
+    /// that raise T most for their root mean square.
     std::vector<double> carried_back(int steps, const Blend& blend) const {
         TriangleMesh smoothed = marked;
         smoothed.positions = umbrella.smooth(std::move(smoothed.positions), steps, blend.weight);
@@ -84,8 +84,8 @@ int steps_on_base(int steps, double density) {
 
 } // namespace
 
-std::vector<double> normal_moves(const TriangleMesh& base, const sphere::SparseRows& rows, std::span<const double> w,
-                                 double rms, double density, const Blend& blend) {
+std::vector<double> normal_moves(const TriangleMesh& base, const sphere::SparseRows& rows,
+                                 std::span<const double> w, double rms, double density, const Blend& blend) {
     const std::vector<Vec3> normals = vertex_normals(base);
     const std::vector<double> area = vertex_areas(base);
     const std::vector<double> plain = [&] {

@@ -86,7 +86,8 @@ TEST_CASE("at the same strength a shaped mark scores more than bumps, after smoo
     constexpr double rms = 3e-4;
     shaping::Blend bumps;
     bumps.templates.clear();
-    const TriangleMesh plain = host.moved(shaping::normal_moves(host.base, host.rows, host.w, rms, 1, bumps), rms);
+    const TriangleMesh plain =
+        host.moved(shaping::normal_moves(host.base, host.rows, host.w, rms, 1, bumps), rms);
     const TriangleMesh shaped = host.moved(shaping::normal_moves(host.base, host.rows, host.w, rms, 1), rms);
     CHECK(host.sigmas(shaped) > host.sigmas(plain));
     CHECK(host.sigmas(smoothed(shaped, 30)) > 1.2 * host.sigmas(smoothed(plain, 30)));

@@ -115,19 +115,20 @@ TEST_CASE("two closed surfaces that share a vertex keep it") {
 }
 
 TEST_CASE("a tetrahedron that hangs on one edge is not flattened") {
-    // Simplifiers leave such spikes. The edge has four triangles, so it is cut open and its ends stay, but the two
-    // other corners may not vanish one after the other.
+    // Simplifiers leave such spikes. The edge has four triangles, so it is cut open and its ends stay, but
+    // the two other corners may not vanish one after the other.
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
         TriangleMesh mesh = shapes::blob(600, seed);
         const auto spikes = static_cast<Index>(mesh.triangles.size() / 40);
         for (Index s = 0; s < spikes; ++s) {
             const Triangle t = mesh.triangles[40 * s];
             const auto c = static_cast<Index>(mesh.positions.size()), d = c + 1;
-            const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]], out = area_vector(mesh, 40 * s).normalized();
+            const Vec3 a = mesh.positions[t[0]], b = mesh.positions[t[1]],
+                       out = area_vector(mesh, 40 * s).normalized();
             mesh.positions.push_back((a + b) / 2 + 0.02 * out);
             mesh.positions.push_back((2 * a + b) / 3 + 0.03 * out);
-            for (const Triangle& face : {Triangle{t[0], t[1], c}, Triangle{t[1], t[0], d}, Triangle{c, d, t[0]},
-                                         Triangle{d, c, t[1]}})
+            for (const Triangle& face : {Triangle{t[0], t[1], c}, Triangle{t[1], t[0], d},
+                                         Triangle{c, d, t[0]}, Triangle{d, c, t[1]}})
                 mesh.triangles.push_back(face);
         }
         for (std::size_t target : {500u, 300u, 100u, 0u}) {

@@ -34,8 +34,8 @@ std::vector<SparseRows> barycentric_rows(const Icosphere& sphere, std::span<cons
     std::vector<SparseRows> matrices;
     for (unsigned level : levels) {
         if (level > sphere.level())
-            throw ParameterError(fmt::format("level {} is finer than the sphere, which has level {}", level,
-                                             sphere.level()));
+            throw ParameterError(
+                fmt::format("level {} is finer than the sphere, which has level {}", level, sphere.level()));
         matrices.push_back(empty_rows(level, directions.size()));
     }
     parallel_blocks(directions.size(), 1024, [&](std::size_t begin, std::size_t end) {

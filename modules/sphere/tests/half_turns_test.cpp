@@ -21,7 +21,8 @@ TEST_CASE("every vertex of every level goes to the vertex at its turned place, e
 }
 
 TEST_CASE("the turns of a coarser level begin those of a finer") {
-    const auto coarse = sphere::half_turns(sphere::Icosphere(2)), fine = sphere::half_turns(sphere::Icosphere(4));
+    const auto coarse = sphere::half_turns(sphere::Icosphere(2)),
+               fine = sphere::half_turns(sphere::Icosphere(4));
     for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t j = 0; j < coarse[axis].size(); ++j)
             CHECK(coarse[axis][j] == fine[axis][j]);

@@ -41,7 +41,8 @@ TEST_CASE("no directions give no rows") {
 }
 
 TEST_CASE("the rows of coarser levels are those of the coarser spheres") {
-    const std::vector<Vec3> directions{{1, 0.2, -0.3}, {0, 0, 1}, {-0.4, 0.7, 0.1}, {0.3, -0.9, 0.5}, {0, -1, 0}};
+    const std::vector<Vec3> directions{
+        {1, 0.2, -0.3}, {0, 0, 1}, {-0.4, 0.7, 0.1}, {0.3, -0.9, 0.5}, {0, -1, 0}};
     const std::vector<unsigned> levels{1, 3, 4};
     const std::vector<SparseRows> together = barycentric_rows(Icosphere(4), directions, levels);
     for (std::size_t l = 0; l < levels.size(); ++l) {

@@ -10,9 +10,9 @@
 
 namespace wm3d::detect {
 
-/// Points on the triangles of a coarse mesh, each with its share of the three corners. A simplification that places a
-/// vertex anew gives it the mean move of the surface around it, not the move at one point; so what is read at the
-/// vertex is spread over the points around it before it meets the bumps.
+/// Points on the triangles of a coarse mesh, each with its share of the three corners. A simplification that
+/// places a vertex anew gives it the mean move of the surface around it, not the move at one point; so what
+/// is read at the vertex is spread over the points around it before it meets the bumps.
 class CellSamples {
 public:
     /// At least `count` points, as many on each triangle.
@@ -22,14 +22,14 @@ public:
     /// #samples points on the surface.
     const std::vector<Vec3>& positions() const { return positions_; }
 
-    /// y of the vertices, #V, spread over the points, #samples; the sum stays. A point counts with its area and the cube
-    /// of its barycentric coordinate: near the vertex most.
+    /// y of the vertices, #V, spread over the points, #samples; the sum stays. A point counts with its area
+    /// and the cube of its barycentric coordinate: near the vertex most.
     std::vector<double> spread(std::span<const double> y) const;
 
 private:
     std::vector<Vec3> positions_;
-    std::vector<Triangle> corners_;              ///< per sample
-    std::vector<std::array<double, 3>> shares_;  ///< per sample: of its corners
+    std::vector<Triangle> corners_;             ///< per sample
+    std::vector<std::array<double, 3>> shares_; ///< per sample: of its corners
 };
 
 } // namespace wm3d::detect

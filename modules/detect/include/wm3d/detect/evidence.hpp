@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The whitened detector: from a suspect's base mesh, before any key is looked at, to linear statistics.
+/// \file  The whitened detector: from a suspect's base mesh, before any key is looked at, to linear
+/// statistics.
 #pragma once
 
 #include <memory>
@@ -17,13 +18,15 @@ namespace wm3d::detect {
 /// One high pass with one weighting of the residual.
 struct Filter {
     double t;     ///< time of the diffusion that is taken away, in units of mean radius squared
-    double power; ///< the residual counts as (local variance)^-power: 0 plain, 1 as on a host of varying roughness
-    double variance_t; ///< time of the diffusion that averages the local variance; short where creases are sharp
+    double power; ///< the residual counts as (local variance)^-power: 0 plain, 1 as on a host of varying
+                  ///< roughness
+    double
+        variance_t; ///< time of the diffusion that averages the local variance; short where creases are sharp
 };
 
 struct EvidenceOptions {
-    /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section 7, says how these
-    /// were chosen.
+    /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
+    /// 7, says how these were chosen.
     std::vector<Filter> filters{{3e-5, 1.0, 3e-4}, {2e-4, 0.5, 3e-3}, {1e-3, 0.5, 3e-3}};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
@@ -36,7 +39,8 @@ public:
     /// \param base  base mesh in a canonical frame (centred, mean radius 1); rotations don't matter
     explicit Evidence(const TriangleMesh& base, EvidenceOptions options = {});
 
-    /// The same evidence for radial moves about another centre, in the coordinates of the base. Costs next to nothing.
+    /// The same evidence for radial moves about another centre, in the coordinates of the base. Costs next to
+    /// nothing.
     Evidence seen_from(const Vec3& centre) const;
 
     std::size_t filters() const;
@@ -53,24 +57,27 @@ public:
     LinearStatistic statistic(std::size_t f, const CellSamples& samples, const sphere::SparseRows& rows,
                               double rmax) const;
 
-    /// gamma of eq. (3) at which the mark of `w` has an area-weighted root mean square normal move `move` (in units of
-    /// mean radius); 0 if no gamma does.
+    /// gamma of eq. (3) at which the mark of `w` has an area-weighted root mean square normal move `move` (in
+    /// units of mean radius); 0 if no gamma does.
     double gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const;
 
-    /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean radius), adds
-    /// to T if it sits on this very mesh, vertex for vertex: its own residual takes the host's place in c.
+    /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
+    /// radius), adds to T if it sits on this very mesh, vertex for vertex: its own residual takes the host's
+    /// place in c.
     LinearStatistic mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
                                    double rmax, double move) const;
 
-    /// How T of the sequence w grows with the base vertices' moves, #base vectors, to first order and with normals,
-    /// areas and weights held: HP^T (a g HP (diag(d.n) B w)) n. The detector's own template of the mark.
-    std::vector<Vec3> gradient(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w) const;
+    /// How T of the sequence w grows with the base vertices' moves, #base vectors, to first order and with
+    /// normals, areas and weights held: HP^T (a g HP (diag(d.n) B w)) n. The detector's own template of the
+    /// mark.
+    std::vector<Vec3> gradient(std::size_t f, const sphere::SparseRows& rows,
+                               std::span<const double> w) const;
 
-    /// Expected score, in standard deviations of the null distribution, if this very mesh carried the mark of `w`
-    /// with an area-weighted root mean square normal move `move` (in units of mean radius). The mark's own residual
-    /// widens the null distribution too, which bounds the score however strong the mark.
-    double expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w, double rmax,
-                           double move) const;
+    /// Expected score, in standard deviations of the null distribution, if this very mesh carried the mark of
+    /// `w` with an area-weighted root mean square normal move `move` (in units of mean radius). The mark's
+    /// own residual widens the null distribution too, which bounds the score however strong the mark.
+    double expected_sigmas(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                           double rmax, double move) const;
 
 private:
     struct Core; ///< what doesn't depend on the centre

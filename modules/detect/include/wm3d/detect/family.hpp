@@ -36,22 +36,24 @@ struct Score {
 struct FamilyScore {
     Score best;
     std::size_t hypotheses = 0; ///< number that was tried, each of them paid for
-    /// log10 of min(1, hypotheses * smallest p): the probability, at most, that any of them scores like this for a
-    /// random key (Bonferroni).
+    /// log10 of min(1, hypotheses * smallest p): the probability, at most, that any of them scores like this
+    /// for a random key (Bonferroni).
     double log10_p = 0;
     double relative_error = 0; ///< estimated, of the best hypothesis' p
     bool bound = false;        ///< p is a guaranteed upper bound, not an estimate
 };
 
-/// Scores every hypothesis with the key's sequences and the best few exactly. The p that is reported belongs to a
-/// hypothesis that was really scored, so leaving others out can only make it larger.
-/// \throw ParameterError  if there is no hypothesis
+/// Scores every hypothesis with the key's sequences and the best few exactly. The p that is reported belongs
+/// to a hypothesis that was really scored, so leaving others out can only make it larger. \throw
+/// ParameterError  if there is no hypothesis
 FamilyScore score_family(std::span<const Hypothesis> family, const SequenceOfLevel& sequence);
 
-/// For each hypothesis the T at which its p is pf / #family: a key is a (false) positive where any is reached.
+/// For each hypothesis the T at which its p is pf / #family: a key is a (false) positive where any is
+/// reached.
 std::vector<double> family_thresholds(std::span<const Hypothesis> family, double pf);
 
 /// Whether any hypothesis reaches its threshold.
-bool reaches(std::span<const Hypothesis> family, std::span<const double> thresholds, const SequenceOfLevel& sequence);
+bool reaches(std::span<const Hypothesis> family, std::span<const double> thresholds,
+             const SequenceOfLevel& sequence);
 
 } // namespace wm3d::detect

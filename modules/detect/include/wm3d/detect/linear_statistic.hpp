@@ -7,9 +7,9 @@
 
 namespace wm3d::detect {
 
-/// T = sum c_j w_j with fixed c_j and independent w_j, uniform in (-rmax, rmax). The coefficients come from the
-/// suspect alone; if the key is secret and random, nothing about the suspect has to be assumed to know how T is
-/// distributed.
+/// T = sum c_j w_j with fixed c_j and independent w_j, uniform in (-rmax, rmax). The coefficients come from
+/// the suspect alone; if the key is secret and random, nothing about the suspect has to be assumed to know
+/// how T is distributed.
 class LinearStatistic {
 public:
     /// \pre  rmax > 0
@@ -34,7 +34,8 @@ private:
     double maximum_ = 0;
 };
 
-/// Cumulant generating function K(s) = sum log(sinh(s rmax c_j) / (s rmax c_j)) and its first two derivatives.
+/// Cumulant generating function K(s) = sum log(sinh(s rmax c_j) / (s rmax c_j)) and its first two
+/// derivatives.
 struct Cumulants {
     double k0 = 0;
     double k1 = 0;

@@ -10,9 +10,10 @@
 
 namespace wm3d::detect {
 
-/// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on any
-/// triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and positive.
-/// Solves by conjugate gradients, one thread per vector, so the bytes don't depend on the number of threads.
+/// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on
+/// any triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and
+/// positive. Solves by conjugate gradients, one thread per vector, so the bytes don't depend on the number of
+/// threads.
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);
@@ -24,7 +25,8 @@ public:
     std::span<const double> mass() const;
 
     /// (M + tL)^-1 M x for each of the vectors, #V each; t in units of length squared.
-    std::vector<std::vector<double>> low_pass(double t, const std::vector<std::vector<double>>& vectors) const;
+    std::vector<std::vector<double>> low_pass(double t,
+                                              const std::vector<std::vector<double>>& vectors) const;
 
     /// M (M + tL)^-1 y: the transpose of `low_pass`.
     std::vector<double> low_pass_transposed(double t, std::span<const double> y) const;

@@ -15,13 +15,13 @@ struct Tail {
 };
 
 /// The probability itself, by integrating the moment generating function along the vertical line through the
-/// saddlepoint (Bromwich integral, trapezoidal rule; the error is estimated by halving the step). Accurate to about
-/// ten digits for statistics of many terms. Falls back to `chernoff_bound` where the integral doesn't settle, as it
-/// can for a statistic of very few terms.
+/// saddlepoint (Bromwich integral, trapezoidal rule; the error is estimated by halving the step). Accurate to
+/// about ten digits for statistics of many terms. Falls back to `chernoff_bound` where the integral doesn't
+/// settle, as it can for a statistic of very few terms.
 Tail exact_tail(const LinearStatistic& statistic, double t);
 
-/// Lugannani and Rice's saddlepoint approximation: log10 P(T >= t). Thirty times faster than `exact_tail`; the
-/// calibration tests measure its error.
+/// Lugannani and Rice's saddlepoint approximation: log10 P(T >= t). Thirty times faster than `exact_tail`;
+/// the calibration tests measure its error.
 double saddlepoint_log10_tail(const LinearStatistic& statistic, double t);
 
 /// Chernoff's guaranteed upper bound min_s exp(K(s) - s t): log10.

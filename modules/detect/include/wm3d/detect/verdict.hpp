@@ -17,8 +17,8 @@ std::string_view name(Verdict verdict);
 /// \param hypotheses  number of hypotheses that share it
 double predicted_miss(double sigmas, double log10_pf, std::size_t hypotheses);
 
-/// Present if log10_p <= log10_pf. Otherwise absent, if a mark would be missed with at most this probability, and
-/// inconclusive if not: then the suspect can't tell.
+/// Present if log10_p <= log10_pf. Otherwise absent, if a mark would be missed with at most this probability,
+/// and inconclusive if not: then the suspect can't tell.
 Verdict decide(double log10_p, double log10_pf, double predicted_miss, double tolerated_miss = 0.01);
 
 } // namespace wm3d::detect

@@ -10,12 +10,13 @@
 namespace wm3d::embed {
 
 /// Radius of a marked base vertex: r + gamma Delta, eq. (3).
-constexpr double marked_radius(double radius, double gamma, double delta) { return radius + gamma * delta; }
+constexpr double marked_radius(double radius, double gamma, double delta) {
+    return radius + gamma * delta;
+}
 
-/// Moves each base vertex along its own direction from the origin to `marked_radius`; eq. (3). A vertex at the origin
-/// has no direction and stays.
-/// \param base   #base positions in the canonical frame
-/// \param delta  #base values R_P - R
+/// Moves each base vertex along its own direction from the origin to `marked_radius`; eq. (3). A vertex at
+/// the origin has no direction and stays. \param base   #base positions in the canonical frame \param delta
+/// #base values R_P - R
 std::vector<Vec3> mark_base(std::span<const Vec3> base, std::span<const double> delta, double gamma);
 
 /// A mesh over its base domain: each vertex has a place p on a base triangle and a detail vector t = P - p
@@ -28,8 +29,8 @@ public:
     /// \throw ParameterError  if the sizes disagree
     DetailedMesh(const TriangleMesh& mesh, const TriangleMesh& base, std::span<const SurfacePoint> place);
 
-    /// P_w = t + p_w for the moved base vertices: #V positions. Vertices whose triangle did not move keep their
-    /// exact position.
+    /// P_w = t + p_w for the moved base vertices: #V positions. Vertices whose triangle did not move keep
+    /// their exact position.
     std::vector<Vec3> reconstruct(std::span<const Vec3> moved_base) const;
 
 private:

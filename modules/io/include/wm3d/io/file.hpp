@@ -15,7 +15,7 @@ namespace wm3d::io {
 std::string read_file(const std::filesystem::path& path);
 
 struct WriteOptions {
-    bool overwrite = false; ///< replace a file that exists
+    bool overwrite = false;        ///< replace a file that exists
     bool private_to_owner = false; ///< mode 0600 instead of what the umask leaves
 };
 
@@ -25,8 +25,9 @@ struct WriteOptions {
 void write_file(const std::filesystem::path& path, std::string_view bytes, const WriteOptions& options = {});
 
 /// Writes a patched file and its side files into the folder of `path`; side files first, so that the main
-/// file never names one that is not there. Nothing is written where any of them exists and may not be replaced.
-/// \throw OutputError  as write_file
-void write_files(const std::filesystem::path& path, const PatchedFiles& files, const WriteOptions& options = {});
+/// file never names one that is not there. Nothing is written where any of them exists and may not be
+/// replaced. \throw OutputError  as write_file
+void write_files(const std::filesystem::path& path, const PatchedFiles& files,
+                 const WriteOptions& options = {});
 
 } // namespace wm3d::io

@@ -31,7 +31,8 @@ struct PatchedFiles {
 /// What becomes of normals that a file stores when its positions are patched.
 enum class Normals {
     keep, ///< every byte of them
-    turn, ///< each turns as its faces do, so that creases and smoothing stay as they were; shading follows the surface
+    turn, ///< each turns as its faces do, so that creases and smoothing stay as they were; shading follows
+          ///< the surface
 };
 
 struct Document;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Exceptions that cross module borders. Every message is one sentence: what, where, what would mend it.
-/// A verdict, an absence or an early stop is a result, never an exception.
+/// \file  Exceptions that cross module borders. Every message is one sentence: what, where, what would mend
+/// it. A verdict, an absence or an early stop is a result, never an exception.
 #pragma once
 
 #include <stdexcept>

@@ -31,14 +31,14 @@ struct SurfaceMoments {
 /// \throw GeometryError  if the surface has no area
 SurfaceMoments surface_moments(const TriangleMesh& mesh);
 
-/// Exact moments of the solid of unit density that a surface encloses. Noise and roundings move a surface in and
-/// out alike and so leave these alone, where they add area to whatever is finely sampled.
+/// Exact moments of the solid of unit density that a surface encloses. Noise and roundings move a surface in
+/// and out alike and so leave these alone, where they add area to whatever is finely sampled.
 struct SolidMoments {
     double volume = 0; ///< signed: negative where the triangles look inwards
     Vec3 centroid = Vec3::Zero();
     Mat3 covariance = Mat3::Zero(); ///< second central moments over volume, in squared units of the mesh
     double sphericity = 0;          ///< 36 pi volume^2 / area^3: 1 of a sphere, 0 of a sheet
-    double openness = 0;            ///< length of the sum of the area vectors over area: 0 of a closed surface
+    double openness = 0; ///< length of the sum of the area vectors over area: 0 of a closed surface
 };
 
 /// An open surface is closed by a cone whose apex is the centroid itself. Without volume all is zero.
@@ -77,10 +77,10 @@ ShapeMoments shape_moments(const TriangleMesh& mesh);
 /// Area-weighted mean distance of the surface from `centre`, by a fixed rule of degree 5 on each triangle.
 double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
 
-/// The frame of a mass: its centroid and its principal axes, from the largest second moment to the smallest; mean
-/// radius of the surface 1. Signs of the first two axes make the surface's third moments along them positive; the
-/// third axis completes a right-handed system.
-/// \throw GeometryError  if all of the surface lies in the centroid
+/// The frame of a mass: its centroid and its principal axes, from the largest second moment to the smallest;
+/// mean radius of the surface 1. Signs of the first two axes make the surface's third moments along them
+/// positive; the third axis completes a right-handed system. \throw GeometryError  if all of the surface lies
+/// in the centroid
 Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments);
 
 /// The canonical frame: the principal frame of a substance.

@@ -32,16 +32,16 @@ std::size_t thread_count();
 void parallel_blocks(std::size_t count, std::size_t block,
                      const std::function<void(std::size_t begin, std::size_t end)>& body);
 
-/// Calls body(i) for every i of [0, count), started in that order: for long tasks with parallel loops of their
-/// own. A thread that waits for such a loop takes no other task meanwhile, so no more of them are begun than
-/// there are threads. An exception in a task reaches the caller.
+/// Calls body(i) for every i of [0, count), started in that order: for long tasks with parallel loops of
+/// their own. A thread that waits for such a loop takes no other task meanwhile, so no more of them are begun
+/// than there are threads. An exception in a task reaches the caller.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t i)>& body);
 
 /// Runs two independent tasks, at the same time if a thread is free.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
 /// Sum over blocks of [0, count), added in block order. `term(begin, end)` returns the block's own sum.
-template <typename T, typename Term>
+template<typename T, typename Term>
 T parallel_sum(std::size_t count, std::size_t block, T zero, Term&& term) {
     std::vector<T> partial((count + block - 1) / block, zero);
     parallel_blocks(count, block,

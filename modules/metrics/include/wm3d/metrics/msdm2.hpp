@@ -30,8 +30,8 @@ struct Msdm2Options {
 /// At each scale h: C(v) = S (|k1| + |k2|) / 2 with the principal curvatures k of the tensor of D.
 /// Cohen-Steiner and J.-M. Morvan (2003) in the ball of radius r; C^(v) is the reference's C, interpolated at
 /// its point closest to v. Over the vertices of the window of radius h around v, weighted by a Gaussian of
-/// deviation `spread` h, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c their
-/// covariance. Then
+/// deviation `spread` h, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c
+/// their covariance. Then
 ///     L = |mu - mu^| / (max(mu, mu^) + K)
 ///     D = |sigma - sigma^| / (max(sigma, sigma^) + K)
 ///     T = |sigma sigma^ - sigma_c| / (sigma sigma^ + K)

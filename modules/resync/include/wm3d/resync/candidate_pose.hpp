@@ -8,8 +8,8 @@
 
 namespace wm3d::resync {
 
-/// A frame in which a suspect is examined, and where it comes from. Each one is a hypothesis that the verdict pays
-/// for, so a list of them must not depend on any key.
+/// A frame in which a suspect is examined, and where it comes from. Each one is a hypothesis that the verdict
+/// pays for, so a list of them must not depend on any key.
 struct CandidatePose {
     Frame frame;
     std::string origin; ///< for people: "principal axes", "receipt", ...

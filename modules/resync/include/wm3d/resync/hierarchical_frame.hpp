@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The canonical frame found blind, by principal components on several levels of a simplification hierarchy
-/// (the way to rotated copies that section 4 of the paper proposes as future work).
+/// \file  The canonical frame found blind, by principal components on several levels of a simplification
+/// hierarchy (the way to rotated copies that section 4 of the paper proposes as future work).
 #pragma once
 
 #include <string_view>
@@ -14,11 +14,11 @@ namespace wm3d::resync {
 
 struct HierarchyOptions {
     std::vector<std::size_t> levels{6000, 2000}; ///< vertices of the coarser levels, descending
-    /// Relative change of the second moments that is reckoned with even where the levels agree better: what marks,
-    /// roundings and light processing do.
+    /// Relative change of the second moments that is reckoned with even where the levels agree better: what
+    /// marks, roundings and light processing do.
     double least_change = 1e-4;
-    /// Relative distance of two eigenvalues below which a shape counts as ambiguous: a change of the moments of a
-    /// tenth of that turns the axes by 6 degrees.
+    /// Relative distance of two eigenvalues below which a shape counts as ambiguous: a change of the moments
+    /// of a tenth of that turns the axes by 6 degrees.
     double ambiguous_gap = 0.01;
 };
 
@@ -42,8 +42,8 @@ struct LevelFrame {
 /// The frame of a mesh and how well its moments determine it.
 struct FrameEstimate {
     Substance substance = Substance::solid; ///< whose moments these are
-    Frame finest;   ///< `canonical_frame` of the mesh itself
-    Frame robust;   ///< median of the levels' rotations; centre and scale are the finest level's
+    Frame finest;                           ///< `canonical_frame` of the mesh itself
+    Frame robust;                ///< median of the levels' rotations; centre and scale are the finest level's
     Vec3 moments = Vec3::Zero(); ///< eigenvalues, descending, in squared mean radii
     /// Turns about the three axes that the levels' disagreement allows, in degrees, 0 to 45.
     Vec3 uncertainty = Vec3::Zero();
@@ -55,8 +55,8 @@ struct FrameEstimate {
 /// \param mesh  the mesh
 /// \param base  a simplified version of it, from which the coarser levels are made
 /// \throw GeometryError  if the mesh has no area
-FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options = {},
-                             const Progress& progress = {});
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
+                             const HierarchyOptions& options = {}, const Progress& progress = {});
 
 /// The same for a substance of the mesh and its moments, which are known already.
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,
@@ -64,13 +64,14 @@ FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
                              const Progress& progress = {});
 
 struct CandidateOptions {
-    double step = 1.0;      ///< between neighbouring turns, in degrees: the detector bears half of it
-    std::size_t most = 13;  ///< frames, each of which is tried with all four choices of axis signs
+    double step = 1.0;     ///< between neighbouring turns, in degrees: the detector bears half of it
+    std::size_t most = 13; ///< frames, each of which is tried with all four choices of axis signs
 };
 
 /// The poses to try: the finest frame, the robust one where it differs, turns about each axis as wide as its
-/// uncertainty, and quarter turns where two moments could change places; each with the four proper choices of axis
-/// signs. The first is the finest frame itself. Depends on the mesh alone.
-std::vector<CandidatePose> candidate_poses(const FrameEstimate& estimate, const CandidateOptions& options = {});
+/// uncertainty, and quarter turns where two moments could change places; each with the four proper choices of
+/// axis signs. The first is the finest frame itself. Depends on the mesh alone.
+std::vector<CandidatePose> candidate_poses(const FrameEstimate& estimate,
+                                           const CandidateOptions& options = {});
 
 } // namespace wm3d::resync

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  What an owner keeps of a marking, so that a cut or ambiguous copy can be laid back into the mark's frame
-/// without the original. docs/receipt.md describes the file field by field.
+/// \file  What an owner keeps of a marking, so that a cut or ambiguous copy can be laid back into the mark's
+/// frame without the original. docs/receipt.md describes the file field by field.
 #pragma once
 
 #include <cstdint>

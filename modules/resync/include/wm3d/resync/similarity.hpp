@@ -8,7 +8,8 @@
 
 namespace wm3d::resync {
 
-/// p -> scale rotation p + translation. `rotation` is orthogonal; its determinant is -1 if the transform mirrors.
+/// p -> scale rotation p + translation. `rotation` is orthogonal; its determinant is -1 if the transform
+/// mirrors.
 struct Similarity {
     Mat3 rotation = Mat3::Identity();
     double scale = 1;

@@ -9,8 +9,8 @@
 
 namespace wm3d::resync {
 
-/// Smoothing shrinks ears and legs first, so it turns and moves the canonical frame; more of it goes on in the
-/// same direction.
+/// Smoothing shrinks ears and legs first, so it turns and moves the canonical frame; more of it goes on in
+/// the same direction.
 struct TrendOptions {
     int steps = 20;      ///< of the umbrella operator that show the direction
     double weight = 0.1; ///< of a step
@@ -21,10 +21,10 @@ struct TrendOptions {
     double least_shift = 0.003;         ///< or move of its centre, in mean radii
 };
 
-/// Frames that the mesh had if it was smoothed, each where it differs enough from `frame`: `frame` less multiples of
-/// what further smoothing does to it. Depends on the mesh alone.
-/// \param frame  canonical frame of the mesh, of this substance
-std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, const Frame& frame, Substance substance,
-                                                   const TrendOptions& options = {});
+/// Frames that the mesh had if it was smoothed, each where it differs enough from `frame`: `frame` less
+/// multiples of what further smoothing does to it. Depends on the mesh alone. \param frame  canonical frame
+/// of the mesh, of this substance
+std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, const Frame& frame,
+                                                   Substance substance, const TrendOptions& options = {});
 
 } // namespace wm3d::resync
