@@ -119,22 +119,22 @@ std::vector<std::string> bench_attacks(const BenchResults& results) {
     return attacks;
 }
 
-} // namespace
-
-std::size_t BenchTable::filled() const {
+template<typename Condition>
+std::size_t count_cells(const std::vector<std::vector<BenchCell>>& cells, const Condition& condition) {
     std::size_t count = 0;
-    for (const auto& row : cells)
-        count += static_cast<std::size_t>(
-            std::ranges::count_if(row, [](const BenchCell& c) { return c.keys > 0; }));
+    for (const std::vector<BenchCell>& row : cells)
+        count += static_cast<std::size_t>(std::ranges::count_if(row, condition));
     return count;
 }
 
+} // namespace
+
+std::size_t BenchTable::filled() const {
+    return count_cells(cells, [](const BenchCell& c) { return c.keys > 0; });
+}
+
 std::size_t BenchTable::missed() const {
-    std::size_t count = 0;
-    for (const auto& row : cells)
-        count += static_cast<std::size_t>(
-            std::ranges::count_if(row, [](const BenchCell& c) { return c.missed > 0; }));
-    return count;
+    return count_cells(cells, [](const BenchCell& c) { return c.missed > 0; });
 }
 
 BenchTable bench_table(const BenchResults& results, const MarkSize& size, double log10_target) {

@@ -115,9 +115,7 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
             {"output", arguments.files.output},
             {"key", key.fingerprint()},
             {"base_vertices", marked.base_vertices},
-            {"profile", arguments.options.profile == pipeline::Profile::robust && !arguments.options.gamma
-                            ? "robust"
-                            : "paper"},
+            {"profile", marked.profile == pipeline::Profile::robust ? "robust" : "paper"},
             {"level", marked.level},
             {"rmax", marked.rmax},
             {"gamma", marked.gamma},

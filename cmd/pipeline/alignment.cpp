@@ -53,8 +53,11 @@ ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspec
     return view;
 }
 
-std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const ExaminationOptions& options,
-                                                 std::size_t pose, std::size_t filter) {
+std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const Examination& examination) {
+    if (view.mesh.positions.empty())
+        return {};
+    const ExaminationOptions& options = examination.options();
+    const std::size_t pose = examination.poses() - 1, filter = examination.evidence().filters();
     const detect::ReferenceEvidence evidence(view.mesh, view.difference.along_normal, view.difference.trust);
     const sphere::Icosphere finest(std::ranges::max(options.levels));
     const std::vector<sphere::SparseRows> rows =

@@ -37,9 +37,8 @@ struct ReferenceView {
 ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect,
                                      const Progress& progress = {});
 
-/// One hypothesis per level from the difference, in the coordinates of `view`. Their number of a filter is
-/// `filter`.
-std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const ExaminationOptions& options,
-                                                 std::size_t pose, std::size_t filter);
+/// One hypothesis per level from the difference, in the coordinates of `view`: in the last pose of the
+/// examination, with the number after its last filter. None where nothing was aligned.
+std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const Examination& examination);
 
 } // namespace wm3d::pipeline

@@ -14,6 +14,7 @@
 
 #include "pipeline/alignment.hpp"
 #include "pipeline/bench_log.hpp"
+#include "pipeline/fnv.hpp"
 #include "pipeline/mark.hpp"
 
 namespace wm3d::pipeline {
@@ -22,10 +23,10 @@ namespace {
 
 /// A seed for everything random about what `text` names.
 std::uint64_t seed_of(std::uint64_t seed, const std::string& text) {
-    std::uint64_t hash = 0xcbf29ce484222325; // FNV-1a
+    Fnv hash;
     for (unsigned char c : text)
-        hash = (hash ^ c) * 0x100000001b3;
-    return attack::RandomStream(seed, hash).word(0);
+        hash.add(c);
+    return attack::RandomStream(seed, hash.value()).word(0);
 }
 
 /// One model with what all of its marks share.
@@ -59,7 +60,6 @@ public:
 
 private:
     TriangleMesh limited_mark(const MarkName& name, BenchMark& figures) const;
-    ExaminationOptions examination_options() const;
     void score_wrong_keys(BenchItem& item, const ItemName& name, const Examination& suspect) const;
     AssistedResult assisted(const Suspect& suspect, const key::Secret& secret) const;
 
@@ -97,14 +97,6 @@ TriangleMesh ModelBench::limited_mark(const MarkName& name, BenchMark& figures) 
     return mesh;
 }
 
-ExaminationOptions ModelBench::examination_options() const {
-    ExaminationOptions options;
-    options.vertices = setting_.vertices;
-    options.levels = setting_.parameters.levels;
-    options.rmax = setting_.parameters.rmax;
-    return options;
-}
-
 void ModelBench::score_wrong_keys(BenchItem& item, const ItemName& name, const Examination& suspect) const {
     const std::uint64_t seed =
         seed_of(setting_.seed, name.mark.model + '/' + to_string(name.mark.size) + '/' +
@@ -119,15 +111,12 @@ void ModelBench::score_wrong_keys(BenchItem& item, const ItemName& name, const E
 }
 
 AssistedResult ModelBench::assisted(const Suspect& suspect, const key::Secret& secret) const {
-    ExaminationOptions options = examination_options();
+    ExaminationOptions options = examination_options(setting_.parameters, setting_.vertices);
     const ReferenceView reference = compare_with_reference(mesh_, suspect);
     options.poses = reference.known.poses;
     const Examination examination(suspect, options);
     std::vector<detect::Hypothesis> family(examination.family().begin(), examination.family().end());
-    if (!reference.mesh.positions.empty())
-        std::ranges::move(
-            reference_family(reference, options, examination.poses() - 1, examination.evidence().filters()),
-            std::back_inserter(family));
+    std::ranges::move(reference_family(reference, examination), std::back_inserter(family));
     Sequences sequences(secret, setting_.parameters.rmax);
     return {detect::score_family(family, sequences.function()).log10_p,
             reference.known.registration && reference.known.registration->aligned,
@@ -142,7 +131,7 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     const std::uint64_t seed = seed_of(setting_.seed, name.attack + '/' + std::to_string(name.mark.key));
     const TriangleMesh mesh = attack::apply(marked, chain, seed);
     const Suspect suspect = simplify_suspect(mesh, setting_.vertices);
-    const Examination examination(suspect, examination_options());
+    const Examination examination(suspect, examination_options(setting_.parameters, setting_.vertices));
     const key::Secret secret = key::null_secret(setting_.seed, name.mark.key);
     Sequences sequences(secret, setting_.parameters.rmax);
     const detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());

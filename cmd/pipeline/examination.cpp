@@ -42,6 +42,14 @@ unsigned default_level(const key::PublicParameters& parameters, std::size_t vert
     return *std::ranges::min_element(parameters.levels, {}, distance);
 }
 
+ExaminationOptions examination_options(const key::PublicParameters& parameters, std::size_t vertices) {
+    ExaminationOptions options;
+    options.vertices = vertices;
+    options.levels = parameters.levels;
+    options.rmax = parameters.rmax;
+    return options;
+}
+
 Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress) {
     simplify::Options options;
     options.target_vertices = vertices;
@@ -128,21 +136,28 @@ sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
 }
 
 void Examination::make_family() {
-    const auto turns = sphere::half_turns(finest_);
     const std::vector<Leader> leaders = leading_poses();
     std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
     parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
         if (leaders[pose].pose != pose)
             return;
-        add_hypotheses(of_pose[pose], pose);
-        if (base_vertices_ < coarse_vertices)
-            add_cell_hypotheses(of_pose[pose], pose);
+        add_hypotheses(of_pose[pose], pose, nullptr);
+        if (base_vertices_ >= coarse_vertices)
+            return;
+        const detect::CellSamples samples(view(pose).base, cell_samples);
+        add_hypotheses(of_pose[pose], pose, &samples);
     });
-    for (std::size_t pose = 0; pose < poses_.size(); ++pose)
-        if (const Leader& leader = leaders[pose]; leader.pose != pose)
-            for (const detect::Hypothesis& h : of_pose[leader.pose])
-                of_pose[pose].push_back(
-                    {permuted(h.statistic, turns[leader.axis]), h.level, pose, h.filter, h.cells});
+    std::optional<std::array<std::vector<Index>, 3>> turns; // not needed by a receipt's pose alone
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+        const Leader& leader = leaders[pose];
+        if (leader.pose == pose)
+            continue;
+        if (!turns)
+            turns = sphere::half_turns(finest_);
+        for (const detect::Hypothesis& h : of_pose[leader.pose])
+            of_pose[pose].push_back(
+                {permuted(h.statistic, (*turns)[leader.axis]), h.level, pose, h.filter, h.cells});
+    }
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
 }
@@ -164,22 +179,17 @@ std::vector<Examination::Leader> Examination::leading_poses() const {
     return leaders;
 }
 
-void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const {
-    const std::vector<sphere::SparseRows> of_level = rows(pose, options_.levels);
-    for (std::size_t l = 0; l < of_level.size(); ++l)
-        for (std::size_t f = 0; f < options_.evidence.filters.size(); ++f)
-            hypotheses.push_back(
-                {evidence(pose).statistic(f, of_level[l], options_.rmax), options_.levels[l], pose, f});
-}
-
-void Examination::add_cell_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const {
-    const detect::CellSamples samples(view(pose).base, cell_samples);
+void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
+                                 const detect::CellSamples* samples) const {
+    const std::vector<Vec3>& places = samples ? samples->positions() : view(pose).base.positions;
     const std::vector<sphere::SparseRows> of_level =
-        sphere::barycentric_rows(finest_, turned(samples.positions(), poses_[pose].turn), options_.levels);
+        sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), options_.levels);
+    const detect::Evidence& seen = evidence(pose);
     for (std::size_t l = 0; l < of_level.size(); ++l)
-        for (std::size_t f = 0; f < options_.evidence.filters.size(); ++f)
-            hypotheses.push_back({evidence(pose).statistic(f, samples, of_level[l], options_.rmax),
-                                  options_.levels[l], pose, f, true});
+        for (std::size_t f = 0; f < seen.filters(); ++f)
+            hypotheses.push_back({samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
+                                          : seen.statistic(f, of_level[l], options_.rmax),
+                                  options_.levels[l], pose, f, samples != nullptr});
 }
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,

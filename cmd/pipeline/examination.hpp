@@ -41,6 +41,9 @@ struct ExaminationOptions {
     detect::EvidenceOptions evidence;
 };
 
+/// What a key with these parameters asks for.
+ExaminationOptions examination_options(const key::PublicParameters& parameters, std::size_t vertices);
+
 /// A suspect and its base mesh, both in the suspect's own coordinates. The mesh has to outlive it.
 struct Suspect {
     const TriangleMesh& mesh;
@@ -111,8 +114,9 @@ private:
 
     void make_family();
     std::vector<Leader> leading_poses() const;
-    void add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
-    void add_cell_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose) const;
+    /// At the vertices, or around them where samples are given.
+    void add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
+                        const detect::CellSamples* samples) const;
 
     ExaminationOptions options_;
     sphere::Icosphere finest_; ///< of the levels

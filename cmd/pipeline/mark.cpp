@@ -53,14 +53,6 @@ Forecast forecast_on(const Examination& host, unsigned level, const key::Key& ke
     return result;
 }
 
-ExaminationOptions examination_options(const key::Key& key, const MarkOptions& options) {
-    ExaminationOptions result;
-    result.vertices = options.vertices;
-    result.levels = key.parameters().levels;
-    result.rmax = key.parameters().rmax;
-    return result;
-}
-
 } // namespace
 
 embed::Distortion percent(const embed::Distortion& distortion, double diagonal) {
@@ -70,7 +62,7 @@ embed::Distortion percent(const embed::Distortion& distortion, double diagonal) 
 
 Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
                   const Progress& progress) {
-    const Examination host(mesh, examination_options(key, options), progress);
+    const Examination host(mesh, examination_options(key.parameters(), options.vertices), progress);
     return forecast_on(host, level_of(mesh, key, options), key, options);
 }
 
@@ -83,7 +75,6 @@ std::vector<Vec3> Marker::bumpy_base(std::span<const double> delta, double gamma
     return embed::mark_base(domain_.mesh.positions, delta, gamma);
 }
 
-/// The strength is that of the base; the full mesh's differs by what its details hide.
 std::vector<Vec3> Marker::shaped_base(std::span<const double> w, const MarkSetting& setting) const {
     const TriangleMesh& base = domain_.mesh;
     const sphere::SparseRows rows =
@@ -96,6 +87,10 @@ std::vector<Vec3> Marker::shaped_base(std::span<const double> w, const MarkSetti
     std::vector<Vec3> moved = base.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
         moved[i] += rms * moves[i] * normals[i];
+    // That is the strength on the base; the full mesh's differs by what its details hide.
+    const double factor = setting.strength / 100 * (diagonal_ / frame_.scale) / normal_rms(moved);
+    for (std::size_t i = 0; i < moved.size(); ++i)
+        moved[i] = base.positions[i] + factor * (moved[i] - base.positions[i]);
     return moved;
 }
 
@@ -120,14 +115,9 @@ Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const
     marked.gamma = setting.gamma
                        ? *setting.gamma
                        : gamma_of(setting.strength, normal_rms(bumpy_base(delta, trial)) / trial, unit);
-    std::vector<Vec3> moved_base = bumpy_base(delta, marked.gamma);
-    if (setting.profile == Profile::robust && !setting.gamma) {
-        moved_base = shaped_base(w, setting);
-        const double factor = setting.strength / 100 * unit / normal_rms(moved_base);
-        for (std::size_t i = 0; i < base.size(); ++i)
-            moved_base[i] = base[i] + factor * (moved_base[i] - base[i]);
-    }
-    const std::vector<Vec3> moved = detailed_.reconstruct(moved_base);
+    marked.profile = setting.gamma ? Profile::paper : setting.profile;
+    const std::vector<Vec3> moved = detailed_.reconstruct(
+        marked.profile == Profile::robust ? shaped_base(w, setting) : bumpy_base(delta, marked.gamma));
     marked.positions = mesh_.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
         if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates

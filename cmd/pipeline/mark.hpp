@@ -32,6 +32,7 @@ struct Marked {
     std::vector<Vec3> positions; ///< #V, in the coordinates of the mesh
     Frame frame;
     std::size_t base_vertices = 0;
+    Profile profile = Profile::robust;
     unsigned level = 0;
     double rmax = 0;
     double gamma = 0;             ///< of the bumps of the same strength

@@ -8,6 +8,8 @@
 
 #include <wm3d/mesh/error.hpp>
 
+#include "pipeline/fnv.hpp"
+
 namespace wm3d::pipeline {
 
 namespace {
@@ -15,16 +17,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* schema = "wm3d.trials/1";
-
-/// FNV-1a over 64-bit words: told from accident, not from malice.
-class Fnv {
-public:
-    void add(std::uint64_t word) { hash_ = (hash_ ^ word) * 0x100000001b3; }
-    std::uint64_t value() const { return hash_; }
-
-private:
-    std::uint64_t hash_ = 0xcbf29ce484222325;
-};
 
 ordered_json to_json(const std::string& setting, const Trial& t) {
     return {{"setting", setting},

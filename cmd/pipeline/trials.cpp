@@ -29,14 +29,6 @@ void score_paper(Trial& trial, const Examination& suspect, std::size_t pose, con
         detect::paper_statistic(radii, rows, setting.parameters.rmax), above_mean);
 }
 
-ExaminationOptions examination_options(const TrialSetting& setting) {
-    ExaminationOptions options;
-    options.vertices = setting.vertices;
-    options.levels = setting.parameters.levels;
-    options.rmax = setting.parameters.rmax;
-    return options;
-}
-
 /// The pose whose axes are nearest to the frame's: the trace of the rotation between them falls as its angle
 /// grows.
 std::size_t nearest_pose(const Examination& suspect, const Frame& frame) {
@@ -102,12 +94,13 @@ TrialBench::TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Pro
             fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
                         "it; choose one of them",
                         fmt::join(setting_.parameters.levels, ", "), setting_.level));
-    const Examination unharmed(mesh, examination_options(setting_), progress);
+    const Examination unharmed(mesh, examination_options(setting_.parameters, setting_.vertices), progress);
     hypotheses_ = unharmed.family().size();
     unharmed_ = host_ =
         statistics_of(unharmed, nearest_pose(unharmed, canonical_frame(mesh)), setting_.level);
     if (setting_.damage) {
-        const Examination damaged(setting_.damage(mesh, 0), examination_options(setting_), progress);
+        const Examination damaged(setting_.damage(mesh, 0),
+                                  examination_options(setting_.parameters, setting_.vertices), progress);
         hypotheses_ = damaged.family().size();
         host_ = statistics_of(damaged, true_pose(damaged), setting_.level);
     }
@@ -135,7 +128,7 @@ Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) c
     TriangleMesh suspect_mesh{marked.positions, mesh_.triangles};
     if (setting_.damage)
         suspect_mesh = setting_.damage(suspect_mesh, number);
-    const Examination suspect(suspect_mesh, examination_options(setting_));
+    const Examination suspect(suspect_mesh, examination_options(setting_.parameters, setting_.vertices));
     Sequences sequences(secret, setting_.parameters.rmax);
 
     Trial trial;

@@ -18,15 +18,6 @@ namespace wm3d::pipeline {
 
 namespace {
 
-ExaminationOptions examination_options(const key::Key& key, const VerifyOptions& options) {
-    ExaminationOptions result;
-    result.vertices = options.vertices;
-    result.levels = key.parameters().levels;
-    result.rmax = key.parameters().rmax;
-    result.resync = options.resync;
-    return result;
-}
-
 /// The paper's statistic in every pose and at every level, as a family of its own.
 std::vector<detect::Hypothesis> paper_family(const Examination& suspect) {
     std::vector<detect::Hypothesis> family;
@@ -99,7 +90,8 @@ void require_own_receipt(const resync::Receipt& receipt, const key::Key& key) {
 
 Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOptions& options,
                       const Progress& progress) {
-    ExaminationOptions examination = examination_options(key, options);
+    ExaminationOptions examination = examination_options(key.parameters(), options.vertices);
+    examination.resync = options.resync;
     std::optional<resync::Registration> registration;
     std::optional<ReferenceView> reference;
     const auto take = [&](const KnownPose& known) {
@@ -122,12 +114,10 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
     result.family = options.detector == Detector::paper
                         ? paper_family(suspect)
                         : std::vector<detect::Hypothesis>(suspect.family().begin(), suspect.family().end());
-    if (reference && !reference->mesh.positions.empty()) {
+    if (reference) {
         result.reference_coverage = reference->difference.covered;
         if (options.detector == Detector::whitened)
-            std::ranges::move(reference_family(*reference, suspect.options(), suspect.poses() - 1,
-                                               suspect.evidence().filters()),
-                              std::back_inserter(result.family));
+            std::ranges::move(reference_family(*reference, suspect), std::back_inserter(result.family));
     }
     return result;
 }
