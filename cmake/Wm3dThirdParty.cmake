@@ -47,6 +47,12 @@ endif()
 find_package(Boost 1.74 REQUIRED)
 wm3d_third_party(boost LINK Boost::headers)
 
+if("search" IN_LIST WM3D_MODULES)
+    pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)
+    pkg_check_modules(FFTWF REQUIRED IMPORTED_TARGET fftw3f)
+    wm3d_third_party(fftw LINK PkgConfig::FFTW PkgConfig::FFTWF)
+endif()
+
 if("attack" IN_LIST WM3D_MODULES OR "metrics" IN_LIST WM3D_MODULES)
     find_package(OpenMesh REQUIRED)
     wm3d_third_party(openmesh LINK OpenMeshTools OpenMeshCore)
