@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/io.hpp>
-#include <wm3d/mesh/error.hpp>
-
-#include "pipeline/calibration.hpp"
+#include <wm3d/study/calibration.hpp>
 
 namespace {
 
@@ -16,11 +15,11 @@ using namespace wm3d;
 
 void print_table(const std::filesystem::path& path, std::size_t keys) {
     constexpr unsigned level = 5;
-    pipeline::ExaminationOptions options;
+    watermark::ExaminationOptions options;
     options.levels = {level};
-    options.resync = pipeline::Resync::none;
-    const pipeline::Examination suspect(io::read(path).mesh(), options);
-    const pipeline::Calibration result = pipeline::calibrate(suspect, level, keys, 2026);
+    options.resync = watermark::Resync::none;
+    const watermark::Examination suspect(io::read(path).mesh(), options);
+    const study::Calibration result = study::calibrate(suspect, level, keys, 2026);
 
     fmt::print("\n### {} ({} base vertices)\n\n| statistic |", path.filename().string(),
                suspect.base_vertices());
@@ -29,7 +28,7 @@ void print_table(const std::filesystem::path& path, std::size_t keys) {
     fmt::print("\n|---|");
     for (std::size_t i = 0; i < result.pf.size(); ++i)
         fmt::print("---|");
-    for (const pipeline::TailCounts& counts : result.counts) {
+    for (const study::TailCounts& counts : result.counts) {
         fmt::print("\n| {}: measured |", counts.statistic);
         for (std::size_t passed : counts.passed)
             fmt::print(" {:.2e} ({}) |", static_cast<double>(passed) / static_cast<double>(keys), passed);

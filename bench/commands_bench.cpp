@@ -7,10 +7,10 @@
 
 #include <wm3d/io.hpp>
 #include <wm3d/key.hpp>
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/verify.hpp>
 
 #include "peer.hpp"
-#include "pipeline/mark.hpp"
-#include "pipeline/verify.hpp"
 
 namespace {
 
@@ -20,10 +20,10 @@ using bench::bunny;
 
 void mark_file(const std::filesystem::path& in, const std::filesystem::path& out, const key::Key& key) {
     const io::Model model = io::read(in);
-    const pipeline::Marked marked = pipeline::mark(model.mesh(), key, {});
+    const watermark::Marked marked = watermark::mark(model.mesh(), key, {});
     const io::PatchedFiles files = model.patched_files(marked.positions, out.filename().string());
     const io::Model written = io::parse(files.bytes, model.format(), out.string());
-    benchmark::DoNotOptimize(pipeline::verify(written.mesh(), key, {}));
+    benchmark::DoNotOptimize(watermark::verify(written.mesh(), key, {}));
     io::write_files(out, files, {.overwrite = true});
 }
 
@@ -43,7 +43,7 @@ void whole_verify(benchmark::State& state) {
     const auto out = std::filesystem::temp_directory_path() / "wm3d_bench_suspect.obj";
     mark_file(bunny(), out, key);
     bench::ratio(state, peer(),
-                 [&] { benchmark::DoNotOptimize(pipeline::verify(io::read(out).mesh(), key, {})); });
+                 [&] { benchmark::DoNotOptimize(watermark::verify(io::read(out).mesh(), key, {})); });
     std::filesystem::remove(out);
 }
 

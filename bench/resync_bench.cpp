@@ -20,10 +20,9 @@
 #include <wm3d/io.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/smoothing_trend.hpp>
-
-#include "pipeline/mark.hpp"
-#include "pipeline/receipt.hpp"
-#include "pipeline/verify.hpp"
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/receipt.hpp>
+#include <wm3d/watermark/verify.hpp>
 
 namespace {
 
@@ -69,33 +68,33 @@ TriangleMesh moved(const TriangleMesh& mesh, std::uint64_t seed) {
 struct Specimen {
     TriangleMesh original, marked;
     key::Key key = key::Key::generate("bench");
-    pipeline::Marked report;
+    watermark::Marked report;
     resync::Receipt receipt;
 
     Specimen(const std::string& name, double strength) : original(load(name)), marked(original) {
-        pipeline::MarkOptions options;
+        watermark::MarkOptions options;
         options.strength = strength;
-        report = pipeline::mark(original, key, options);
+        report = watermark::mark(original, key, options);
         marked.positions = report.positions;
-        receipt = pipeline::make_receipt(original, report, key, "", "");
+        receipt = watermark::make_receipt(original, report, key, "", "");
     }
 };
 
-double log10_p(const TriangleMesh& suspect, const key::Key& key, const pipeline::VerifyOptions& options) {
-    return pipeline::verify(suspect, key, options).score.log10_p;
+double log10_p(const TriangleMesh& suspect, const key::Key& key, const watermark::VerifyOptions& options) {
+    return watermark::verify(suspect, key, options).score.log10_p;
 }
 
-pipeline::VerifyOptions with_receipt(const Specimen& specimen) {
-    pipeline::VerifyOptions options;
-    options.resync = pipeline::Resync::icp;
+watermark::VerifyOptions with_receipt(const Specimen& specimen) {
+    watermark::VerifyOptions options;
+    options.resync = watermark::Resync::icp;
     options.receipt = &specimen.receipt;
     options.align_receipt = true;
     return options;
 }
 
-pipeline::VerifyOptions with_reference(const Specimen& specimen) {
-    pipeline::VerifyOptions options;
-    options.resync = pipeline::Resync::icp;
+watermark::VerifyOptions with_reference(const Specimen& specimen) {
+    watermark::VerifyOptions options;
+    options.resync = watermark::Resync::icp;
     options.reference = &specimen.original;
     return options;
 }
@@ -117,8 +116,8 @@ void blind(std::size_t trials) {
                "|\n|---|---|---|---|---|\n");
     for (const std::string& name : all_models) {
         const Specimen specimen(name, 0.05);
-        pipeline::VerifyOptions none;
-        none.resync = pipeline::Resync::none;
+        watermark::VerifyOptions none;
+        none.resync = watermark::Resync::none;
         const double still = log10_p(specimen.marked, specimen.key, none);
         std::vector<double> values;
         for (std::uint64_t seed = 1; seed <= trials; ++seed)
@@ -183,7 +182,7 @@ double angle(const Frame& frame, const Frame& truth) {
 /// are tried.
 std::array<double, 3> frame_errors(const TriangleMesh& mesh, const TriangleMesh& suspect) {
     const Frame truth = canonical_frame(mesh);
-    const pipeline::Suspect simplified = pipeline::simplify_suspect(suspect, pipeline::default_vertices);
+    const watermark::Suspect simplified = watermark::simplify_suspect(suspect, watermark::default_vertices);
     const resync::FrameEstimate estimate = resync::estimate_frame(suspect, simplified.base);
     double nearest = angle(estimate.finest, truth);
     const double own = nearest;
@@ -231,12 +230,12 @@ void keys(std::size_t) {
     fmt::print("| path | hypotheses | random keys at P_f = 0.01 | expected at most |\n|---|---|---|---|\n");
     const Specimen specimen("stanford-bunny.obj", 0.05);
     const TriangleMesh suspect = moved(specimen.marked, 7);
-    const std::vector<std::pair<std::string, pipeline::VerifyOptions>> paths{
+    const std::vector<std::pair<std::string, watermark::VerifyOptions>> paths{
         {"pca", {}}, {"receipt, icp", with_receipt(specimen)}, {"reference", with_reference(specimen)}};
     for (auto [name, options] : paths) {
         options.pf = 0.01;
         options.null_keys = 2000;
-        const pipeline::VerifyReport report = pipeline::verify(suspect, specimen.key, options);
+        const watermark::VerifyReport report = watermark::verify(suspect, specimen.key, options);
         fmt::print("| {} | {} | {} of {} | {} |\n", name, report.score.hypotheses,
                    report.null->false_positives, report.null->keys, 20);
     }
@@ -245,12 +244,12 @@ void keys(std::size_t) {
 void timing(std::size_t trials) {
     fmt::print("| verify on the bunny | median seconds |\n|---|---|\n");
     const Specimen specimen("stanford-bunny.obj", 0.05);
-    pipeline::VerifyOptions none;
-    none.resync = pipeline::Resync::none;
+    watermark::VerifyOptions none;
+    none.resync = watermark::Resync::none;
     const TriangleMesh whole = moved(specimen.marked, 3);
     attack::CropOptions crop;
     const TriangleMesh part = moved(attack::crop(specimen.marked, crop, 1), 3);
-    const std::vector<std::tuple<std::string, const TriangleMesh*, pipeline::VerifyOptions>> ways{
+    const std::vector<std::tuple<std::string, const TriangleMesh*, watermark::VerifyOptions>> ways{
         {"none", &specimen.marked, none},
         {"pca", &whole, {}},
         {"receipt, whole", &whole, with_receipt(specimen)},

@@ -14,11 +14,11 @@ namespace wm3d::cmd {
 namespace {
 
 using nlohmann::ordered_json;
-using pipeline::MeasuredCurve;
-using pipeline::MeasuredPoint;
-using pipeline::RocCurve;
-using pipeline::RocKind;
-using pipeline::RocPoint;
+using study::MeasuredCurve;
+using study::MeasuredPoint;
+using study::RocCurve;
+using study::RocKind;
+using study::RocPoint;
 
 std::string kind_for_people(RocKind kind) {
     switch (kind) {
@@ -74,7 +74,7 @@ std::string group(const C& curve) {
 
 /// The table with this heading, made with a row for every P_f if there is none yet.
 template<typename Points>
-reporting::Table& table_for(std::vector<RocTable>& tables, const std::string& heading, const Points& points) {
+report::Table& table_for(std::vector<RocTable>& tables, const std::string& heading, const Points& points) {
     const auto found = std::ranges::find(tables, heading, &RocTable::heading);
     if (found != tables.end())
         return found->table;
@@ -86,14 +86,14 @@ reporting::Table& table_for(std::vector<RocTable>& tables, const std::string& he
 }
 
 template<typename Points, typename Cell>
-void add_column(reporting::Table& table, std::string heading, const Points& points, Cell&& cell) {
+void add_column(report::Table& table, std::string heading, const Points& points, Cell&& cell) {
     table.columns.push_back(std::move(heading));
     for (std::size_t i = 0; i < points.size(); ++i)
         table.rows[i].push_back(cell(points[i]));
 }
 
 ordered_json to_json(const RocCurve& curve, const RocPoint& p) {
-    ordered_json json{{"detector", pipeline::name(curve.kind)},
+    ordered_json json{{"detector", study::name(curve.kind)},
                       {"gamma", curve.gamma},
                       {"vertices", curve.vertices},
                       {"pf", p.pf},
@@ -109,7 +109,7 @@ ordered_json to_json(const RocCurve& curve, const RocPoint& p) {
 }
 
 ordered_json to_json(const MeasuredCurve& curve, const MeasuredPoint& p) {
-    return {{"detector", pipeline::name(curve.kind)},
+    return {{"detector", study::name(curve.kind)},
             {"gamma", curve.gamma},
             {"vertices", curve.vertices},
             {"strength_percent", curve.strength},
@@ -119,10 +119,10 @@ ordered_json to_json(const MeasuredCurve& curve, const MeasuredPoint& p) {
             {"pm", p.pm},
             {"low", p.low},
             {"high", p.high},
-            {"confidence", pipeline::roc_confidence}};
+            {"confidence", study::roc_confidence}};
 }
 
-ordered_json to_json(const pipeline::MeshStatistics& s) {
+ordered_json to_json(const study::MeshStatistics& s) {
     return {{"vertices", s.paper.n},
             {"level", s.level},
             {"mu_r", s.paper.mu_r},
@@ -164,10 +164,10 @@ std::vector<RocTable> roc_tables(const AnalysisReport& report) {
     return tables;
 }
 
-reporting::Table mesh_table(const AnalysisReport& report) {
-    reporting::Table table{
+report::Table mesh_table(const AnalysisReport& report) {
+    report::Table table{
         {"n", "level", "mu_r", "sigma_r", "mean Delta", "mean Delta^2", "true sigma of rho / eq. (6)'s"}, {}};
-    for (const pipeline::MeshStatistics& s : report.mesh)
+    for (const study::MeshStatistics& s : report.mesh)
         table.rows.push_back(
             {fmt::format("{}", s.paper.n), fmt::format("{}", s.level), fmt::format("{:.5g}", s.paper.mu_r),
              fmt::format("{:.5g}", std::sqrt(s.paper.sigma_r2)), fmt::format("{:.3g}", s.paper.delta_mean),
@@ -175,20 +175,20 @@ reporting::Table mesh_table(const AnalysisReport& report) {
     return table;
 }
 
-reporting::Table long_table(const AnalysisReport& report) {
-    reporting::Table table{{"source", "detector", "gamma", "vertices", "strength_percent", "pf", "pm",
-                            "log10_pm", "threshold", "log10_true_pf", "trials", "missed", "low", "high"},
-                           {}};
+report::Table long_table(const AnalysisReport& report) {
+    report::Table table{{"source", "detector", "gamma", "vertices", "strength_percent", "pf", "pm",
+                         "log10_pm", "threshold", "log10_true_pf", "trials", "missed", "low", "high"},
+                        {}};
     for (const RocCurve& curve : report.predicted)
         for (const RocPoint& p : curve.points)
             table.rows.push_back(
-                {"predicted", std::string(pipeline::name(curve.kind)), fmt::format("{}", curve.gamma),
+                {"predicted", std::string(study::name(curve.kind)), fmt::format("{}", curve.gamma),
                  fmt::format("{}", curve.vertices), optional_number(curve.strength), fmt::format("{}", p.pf),
                  fmt::format("{}", p.pm), fmt::format("{}", p.log10_pm), optional_number(p.threshold),
                  optional_number(p.log10_true_pf), "", "", "", ""});
     for (const MeasuredCurve& curve : report.measured)
         for (const MeasuredPoint& p : curve.points)
-            table.rows.push_back({"measured", std::string(pipeline::name(curve.kind)),
+            table.rows.push_back({"measured", std::string(study::name(curve.kind)),
                                   fmt::format("{}", curve.gamma), fmt::format("{}", curve.vertices),
                                   fmt::format("{}", curve.strength), fmt::format("{}", p.pf),
                                   fmt::format("{}", p.pm), "", "", "", fmt::format("{}", curve.trials),
@@ -198,7 +198,7 @@ reporting::Table long_table(const AnalysisReport& report) {
 }
 
 void add_json(ordered_json& object, const AnalysisReport& report) {
-    for (const pipeline::MeshStatistics& s : report.mesh)
+    for (const study::MeshStatistics& s : report.mesh)
         object["mesh"].push_back(to_json(s));
     object["predicted"] = ordered_json::array();
     for (const RocCurve& curve : report.predicted)
@@ -209,27 +209,27 @@ void add_json(ordered_json& object, const AnalysisReport& report) {
             object["measured"].push_back(to_json(curve, p));
 }
 
-reporting::Plot roc_plot(const AnalysisReport& report) {
-    reporting::Plot plot;
+report::Plot roc_plot(const AnalysisReport& report) {
+    report::Plot plot;
     plot.title = report.title;
     plot.x_label = "false-positive probability P_f";
     plot.y_label = "miss probability P_m";
     Looks looks;
     for (const RocCurve& curve : report.predicted) {
-        reporting::Curve line{.name = heading(report, curve),
-                              .colour = looks.colour(curve.strength.value_or(curve.gamma), curve.kind),
-                              .dash = looks.dash(curve.vertices),
-                              .points = {}};
+        report::Curve line{.name = heading(report, curve),
+                           .colour = looks.colour(curve.strength.value_or(curve.gamma), curve.kind),
+                           .dash = looks.dash(curve.vertices),
+                           .points = {}};
         for (const RocPoint& p : curve.points)
             line.points.push_back({.x = p.pf, .y = p.pm});
         plot.curves.push_back(std::move(line));
     }
     for (const MeasuredCurve& curve : report.measured) {
-        reporting::Curve points{.name = heading(curve),
-                                .style = reporting::Curve::Style::points,
-                                .colour = looks.colour(curve.strength, curve.kind),
-                                .dash = looks.dash(curve.vertices),
-                                .points = {}};
+        report::Curve points{.name = heading(curve),
+                             .style = report::Curve::Style::points,
+                             .colour = looks.colour(curve.strength, curve.kind),
+                             .dash = looks.dash(curve.vertices),
+                             .points = {}};
         for (const MeasuredPoint& p : curve.points)
             points.points.push_back({.x = p.pf, .y = p.pm, .low = p.low, .high = p.high});
         plot.curves.push_back(std::move(points));
@@ -238,12 +238,12 @@ reporting::Plot roc_plot(const AnalysisReport& report) {
 }
 
 std::string roc_page(const AnalysisReport& report, const std::string& json) {
-    reporting::Page page;
+    report::Page page;
     page.title = report.title;
     page.paragraphs.emplace_back(
         "How likely a mark is missed (P_m) when an unmarked model may be accused with "
         "probability P_f. Lines are predictions, points are measurements.");
-    page.svg = reporting::render(roc_plot(report), reporting::Image::svg);
+    page.svg = report::render(roc_plot(report), report::Image::svg);
     page.caption =
         report.measured.empty()
             ? "Both axes are logarithmic; the probabilities have no unit."
@@ -255,7 +255,7 @@ std::string roc_page(const AnalysisReport& report, const std::string& json) {
         page.sections.push_back(
             {table.heading.empty() ? "Figures" : std::move(table.heading), "", std::move(table.table)});
     page.json = json;
-    return reporting::to_html(page);
+    return report::to_html(page);
 }
 
 } // namespace wm3d::cmd

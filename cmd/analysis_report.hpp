@@ -8,37 +8,36 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <wm3d/report.hpp>
-
-#include "pipeline/mesh_analysis.hpp"
-#include "pipeline/roc.hpp"
+#include <wm3d/study/mesh_analysis.hpp>
+#include <wm3d/study/roc.hpp>
 
 namespace wm3d::cmd {
 
 struct AnalysisReport {
     std::string title;
-    std::vector<pipeline::MeshStatistics> mesh; ///< one per number of vertices; none without a mesh
-    std::vector<pipeline::RocCurve> predicted;
-    std::vector<pipeline::MeasuredCurve> measured;
+    std::vector<study::MeshStatistics> mesh; ///< one per number of vertices; none without a mesh
+    std::vector<study::RocCurve> predicted;
+    std::vector<study::MeasuredCurve> measured;
 };
 
 /// For people: without a mesh one table of all curves, with a mesh one for each strength and number of
 /// vertices.
 struct RocTable {
-    std::string heading;    ///< may be empty
-    reporting::Table table; ///< one row per P_f, one column per curve
+    std::string heading; ///< may be empty
+    report::Table table; ///< one row per P_f, one column per curve
 };
 std::vector<RocTable> roc_tables(const AnalysisReport& report);
 
 /// One row per number of vertices.
-reporting::Table mesh_table(const AnalysisReport& report);
+report::Table mesh_table(const AnalysisReport& report);
 
 /// One row per point of every curve, in full precision: for programs.
-reporting::Table long_table(const AnalysisReport& report);
+report::Table long_table(const AnalysisReport& report);
 
 /// Adds "mesh" (if there is one), "predicted" and "measured" (if there were trials) to `object`.
 void add_json(nlohmann::ordered_json& object, const AnalysisReport& report);
 
-reporting::Plot roc_plot(const AnalysisReport& report);
+report::Plot roc_plot(const AnalysisReport& report);
 
 /// A page with the plot, the tables and `json` in full.
 std::string roc_page(const AnalysisReport& report, const std::string& json);

@@ -13,8 +13,8 @@ namespace {
 /// log10 p of the darkest cells: three decades of decades, for few models reach more.
 constexpr double darkest = -1000;
 
-reporting::HeatCell heat_cell(const BenchCell& cell, double log10_target) {
-    reporting::HeatCell result;
+report::HeatCell heat_cell(const BenchCell& cell, double log10_target) {
+    report::HeatCell result;
     if (cell.keys == 0) {
         result.text = cell.error.empty() ? "" : "none";
         return result;
@@ -35,8 +35,8 @@ bool measured(const BenchTable& table, std::size_t attack) {
 
 } // namespace
 
-reporting::HeatMap bench_heat_map(const std::vector<BenchTable>& tables) {
-    reporting::HeatMap map;
+report::HeatMap bench_heat_map(const std::vector<BenchTable>& tables) {
+    report::HeatMap map;
     map.title = "log10 p of the worst key, blind, after a random similarity";
     map.legend = "orange, \u00d7: missed     blue: found, the darker the surer";
     const std::vector<std::string>& attacks = tables.front().attacks; // the same in all

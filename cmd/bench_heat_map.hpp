@@ -5,13 +5,12 @@
 #include <vector>
 
 #include <wm3d/report/heat_map.hpp>
-
-#include "bench_cells.hpp"
+#include <wm3d/study/bench_cells.hpp>
 
 namespace wm3d::cmd {
 
 /// Attacks by models, one group of columns for each size of marks; the worst key of each. The darker, the
 /// smaller p; what misses the target stands out.
-reporting::HeatMap bench_heat_map(const std::vector<BenchTable>& tables);
+report::HeatMap bench_heat_map(const std::vector<BenchTable>& tables);
 
 } // namespace wm3d::cmd

@@ -8,14 +8,13 @@
 #include <fmt/ranges.h>
 
 #include <wm3d/report/table.hpp>
-
-#include "published_figures.hpp"
+#include <wm3d/study/published_figures.hpp>
 
 namespace wm3d::cmd {
 
 namespace {
 
-using namespace pipeline;
+using namespace study;
 
 std::string log10_text(double log10_p) {
     return fmt::format("{:.1f}", log10_p > -0.05 ? 0 : log10_p); // never "-0.0"
@@ -44,7 +43,7 @@ std::string rate_text(double rate, double log10_target) {
 
 std::string attack_table(const BenchTable& table, const std::vector<std::vector<BenchCell>>& cells,
                          bool published) {
-    reporting::Table text{{"attack"}, {}};
+    report::Table text{{"attack"}, {}};
     for (const std::string& model : model_headings(table.models))
         text.columns.push_back(model);
     if (published)
@@ -62,11 +61,11 @@ std::string attack_table(const BenchTable& table, const std::vector<std::vector<
         }
         text.rows.push_back(std::move(row));
     }
-    return reporting::to_markdown(text);
+    return report::to_markdown(text);
 }
 
 std::string marks_table(const BenchTable& table) {
-    reporting::Table text{{"model", "vertices", "strength, %", "MRMS, %", "largest", "MSDM2", "largest"}, {}};
+    report::Table text{{"model", "vertices", "strength, %", "MRMS, %", "largest", "MSDM2", "largest"}, {}};
     const std::vector<std::string> names = model_headings(table.models);
     for (std::size_t m = 0; m < names.size(); ++m) {
         const BenchMarkRow& row = table.marks[m];
@@ -75,7 +74,7 @@ std::string marks_table(const BenchTable& table) {
                              fmt::format("{:.4f}", row.largest_mrms), fmt::format("{:.3f}", row.mean_msdm2),
                              fmt::format("{:.3f}", row.largest_msdm2)});
     }
-    return reporting::to_markdown(text);
+    return report::to_markdown(text);
 }
 
 /// A line for every attack that a key did not survive, and for every copy that there is not.
@@ -120,9 +119,9 @@ std::string assisted_section(const BenchTable& table) {
 std::string wrong_section(const WrongKeys& wrong) {
     if (wrong.keys == 0)
         return "";
-    reporting::Table text{{"P_f", "expected at most", "wrong keys found", "as many or more",
-                           "in one hypothesis", "as far from expected"},
-                          {}};
+    report::Table text{{"P_f", "expected at most", "wrong keys found", "as many or more", "in one hypothesis",
+                        "as far from expected"},
+                       {}};
     for (const WrongKeyCount& count : wrong.counts)
         text.rows.push_back({fmt::format("{:g}", count.pf),
                              fmt::format("{:.0f}", count.pf * static_cast<double>(wrong.keys)),
@@ -135,7 +134,7 @@ std::string wrong_section(const WrongKeys& wrong) {
                        "to be. Beside each count stands its probability if p is what it says.\n\n{}\nThe "
                        "smallest p of all is "
                        "10^{:.1f}. Uniformity of p in one hypothesis (Kolmogorov-Smirnov): {:.3f}.\n\n",
-                       wrong.keys, reporting::to_markdown(text), wrong.smallest_log10_p, wrong.uniformity);
+                       wrong.keys, report::to_markdown(text), wrong.smallest_log10_p, wrong.uniformity);
 }
 
 std::string introduction(const BenchSummary& summary) {
@@ -191,10 +190,10 @@ std::string bench_markdown(const BenchSummary& summary) {
 }
 
 std::string bench_csv(const BenchResults& results) {
-    reporting::Table table{{"model", "size", "size_percent", "key", "attack", "strength_percent",
-                            "mrms_percent", "msdm2", "log10_p", "sigmas", "hypotheses", "level", "pose",
-                            "filter_t", "filter_power", "vertices", "assisted_log10_p", "error"},
-                           {}};
+    report::Table table{{"model", "size", "size_percent", "key", "attack", "strength_percent", "mrms_percent",
+                         "msdm2", "log10_p", "sigmas", "hypotheses", "level", "pose", "filter_t",
+                         "filter_power", "vertices", "assisted_log10_p", "error"},
+                        {}};
     for (const auto& [name, item] : results.items) {
         const BenchMark& mark = results.marks.at(name.mark);
         const MarkSize& size = name.mark.size;
@@ -214,7 +213,7 @@ std::string bench_csv(const BenchResults& results) {
             row.push_back(item.error);
         }
     }
-    return reporting::to_csv(table);
+    return report::to_csv(table);
 }
 
 } // namespace wm3d::cmd

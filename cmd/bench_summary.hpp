@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bench_cells.hpp"
+#include <wm3d/study/bench_cells.hpp>
 
 namespace wm3d::cmd {
 
@@ -20,13 +20,13 @@ struct BenchSummary {
     std::string heat_map; ///< file of the picture, beside the summary; empty: none
 };
 
-BenchSummary summarize(const pipeline::BenchResults& results, const pipeline::BenchSetting& setting,
+BenchSummary summarize(const study::BenchResults& results, const study::BenchSetting& setting,
                        const std::vector<double>& log10_targets);
 
 /// As GitHub reads it.
 std::string bench_markdown(const BenchSummary& summary);
 
 /// A line for every item.
-std::string bench_csv(const pipeline::BenchResults& results);
+std::string bench_csv(const study::BenchResults& results);
 
 } // namespace wm3d::cmd

@@ -9,13 +9,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/study/damage.hpp>
+#include <wm3d/study/paper_roc.hpp>
+#include <wm3d/study/recommend.hpp>
+#include <wm3d/study/trial_log.hpp>
 
 #include "analysis_report.hpp"
-#include "pipeline/damage.hpp"
-#include "pipeline/paper_roc.hpp"
-#include "pipeline/recommend.hpp"
-#include "pipeline/trial_log.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/number_list.hpp"
@@ -66,8 +66,7 @@ void write_plot(const AnalyzeArguments& arguments, const AnalysisReport& report,
     const std::string bytes =
         extension == ".html"
             ? roc_page(report, json.dump(2))
-            : reporting::render(roc_plot(report),
-                                extension == ".svg" ? reporting::Image::svg : reporting::Image::png);
+            : report::render(roc_plot(report), extension == ".svg" ? report::Image::svg : report::Image::png);
     io::write_file(arguments.plot, bytes, {.overwrite = arguments.files.overwrite});
     output.say(fmt::format("Wrote the plot to {}.", arguments.plot));
 }
@@ -75,11 +74,11 @@ void write_plot(const AnalyzeArguments& arguments, const AnalysisReport& report,
 std::string text_of(const AnalysisReport& report) {
     std::string text;
     if (!report.mesh.empty())
-        text = reporting::to_text(mesh_table(report));
+        text = report::to_text(mesh_table(report));
     for (const RocTable& table : roc_tables(report)) {
         if (!table.heading.empty())
             text += fmt::format("\n{}\n", table.heading);
-        text += reporting::to_text(table.table);
+        text += report::to_text(table.table);
     }
     return text;
 }
@@ -88,7 +87,7 @@ void deliver(const AnalyzeArguments& arguments, const AnalysisReport& report, or
              Output& output) {
     add_json(json, report);
     write_plot(arguments, report, json, output);
-    output.print(arguments.csv ? reporting::to_csv(long_table(report)) : text_of(report));
+    output.print(arguments.csv ? report::to_csv(long_table(report)) : text_of(report));
     output.print_json(json);
 }
 
@@ -101,7 +100,7 @@ AnalysisReport analyze_model(const AnalyzeArguments& arguments) {
     for (double gamma : parse_numbers(arguments.gamma, "--gamma", positive_numbers("0.1")))
         for (std::size_t n : parse_counts(arguments.vertices, "--vertices", 1))
             report.predicted.push_back(
-                pipeline::paper_roc({arguments.sigma_r2, arguments.delta_range}, gamma, n, pf));
+                study::paper_roc({arguments.sigma_r2, arguments.delta_range}, gamma, n, pf));
     return report;
 }
 
@@ -112,21 +111,21 @@ key::PublicParameters parameters_of(const std::optional<key::Key>& key) {
     return key ? key->parameters() : key::PublicParameters{};
 }
 
-pipeline::TrialSetting setting_of(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
-                                  const std::optional<key::Key>& key, std::size_t vertices) {
-    pipeline::TrialSetting setting;
+study::TrialSetting setting_of(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
+                               const std::optional<key::Key>& key, std::size_t vertices) {
+    study::TrialSetting setting;
     setting.vertices = vertices;
     setting.parameters = parameters_of(key);
     setting.level =
-        arguments.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
+        arguments.level.value_or(watermark::default_level(setting.parameters, mesh.positions.size()));
     return setting;
 }
 
 /// The one damage that --attack names, if it does.
-pipeline::NamedDamage damage_of(const AnalyzeArguments& arguments) {
+study::NamedDamage damage_of(const AnalyzeArguments& arguments) {
     if (arguments.attack.empty())
         return {"none", {}};
-    std::vector<pipeline::NamedDamage> damages = pipeline::parse_damages(arguments.attack);
+    std::vector<study::NamedDamage> damages = study::parse_damages(arguments.attack);
     if (damages.size() != 1)
         throw ParameterError(
             fmt::format("--attack: '{}' names {} attacks; join those that follow each other by '+'",
@@ -137,17 +136,17 @@ pipeline::NamedDamage damage_of(const AnalyzeArguments& arguments) {
 /// Numbers of base vertices to analyze; what wasn't asked for is made to fit the mesh.
 std::vector<std::size_t> vertices_of(const AnalyzeArguments& arguments) {
     if (arguments.vertices.empty())
-        return {pipeline::default_vertices};
+        return {watermark::default_vertices};
     return parse_counts(arguments.vertices, "--vertices", 4);
 }
 
 std::vector<double> strengths_of(const AnalyzeArguments& arguments) {
     if (arguments.strength.empty())
-        return {pipeline::default_strength};
+        return {watermark::default_strength};
     return parse_numbers(arguments.strength, "--strength", positive_numbers("0.05"));
 }
 
-void require_base(const AnalyzeArguments& arguments, const pipeline::TrialBench& bench, std::size_t asked) {
+void require_base(const AnalyzeArguments& arguments, const study::TrialBench& bench, std::size_t asked) {
     const std::size_t got = bench.marker().domain().mesh.positions.size();
     if (!arguments.vertices.empty() && got < asked)
         throw ParameterError(
@@ -157,64 +156,63 @@ void require_base(const AnalyzeArguments& arguments, const pipeline::TrialBench&
 }
 
 /// All trials of one bench and strength: those in the log, and the rest, which go there.
-std::vector<pipeline::Trial> trials_of(const AnalyzeArguments& arguments, const pipeline::TrialBench& bench,
-                                       double strength, const std::string& damage, pipeline::TrialLog* log,
-                                       const Progress& progress) {
-    const pipeline::TrialSetting& setting = bench.setting();
+std::vector<study::Trial> trials_of(const AnalyzeArguments& arguments, const study::TrialBench& bench,
+                                    double strength, const std::string& damage, study::TrialLog* log,
+                                    const Progress& progress) {
+    const study::TrialSetting& setting = bench.setting();
     const std::string name =
         fmt::format("strength {} vertices {} level {} rmax {} damage {} seed {}", strength, setting.vertices,
                     setting.level, setting.parameters.rmax, damage, arguments.seed);
-    std::map<std::size_t, pipeline::Trial> done;
+    std::map<std::size_t, study::Trial> done;
     if (log != nullptr)
         done = log->trials(name);
     std::vector<std::size_t> missing;
     for (std::size_t number = 0; number < arguments.trials; ++number)
         if (!done.contains(number))
             missing.push_back(number);
-    const auto keep = [&](const pipeline::Trial& trial) {
+    const auto keep = [&](const study::Trial& trial) {
         if (log != nullptr)
             log->append(name, trial);
     };
-    for (pipeline::Trial& trial :
-         pipeline::run_trials(bench, strength, arguments.seed, missing, keep, progress))
+    for (study::Trial& trial : study::run_trials(bench, strength, arguments.seed, missing, keep, progress))
         done[trial.number] = std::move(trial);
-    std::vector<pipeline::Trial> trials;
+    std::vector<study::Trial> trials;
     for (std::size_t number = 0; number < arguments.trials; ++number)
         trials.push_back(std::move(done[number]));
     return trials;
 }
 
-void measure(const AnalyzeArguments& arguments, const pipeline::TrialBench& bench, double strength,
-             const std::string& damage, pipeline::TrialLog* log, AnalysisReport& report, Output& output) {
-    const std::vector<pipeline::Trial> trials =
+void measure(const AnalyzeArguments& arguments, const study::TrialBench& bench, double strength,
+             const std::string& damage, study::TrialLog* log, AnalysisReport& report, Output& output) {
+    const std::vector<study::Trial> trials =
         trials_of(arguments, bench, strength, damage, log, output.progress());
     const std::size_t n = bench.marker().domain().mesh.positions.size();
-    using enum pipeline::RocKind;
-    for (pipeline::RocKind kind : {paper, paper_true, whitened})
+    using enum study::RocKind;
+    for (study::RocKind kind : {paper, paper_true, whitened})
         report.measured.push_back(
-            pipeline::measured_roc(kind, trials, n, strength, probabilities_of(arguments)));
+            study::measured_roc(kind, trials, n, strength, probabilities_of(arguments)));
 }
 
 AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
                             const std::optional<key::Key>& key, Output& output) {
     const std::vector<double> pf = probabilities_of(arguments), strengths = strengths_of(arguments);
-    const pipeline::NamedDamage damage = damage_of(arguments);
-    std::unique_ptr<pipeline::TrialLog> log;
+    const study::NamedDamage damage = damage_of(arguments);
+    std::unique_ptr<study::TrialLog> log;
     if (!arguments.resume.empty())
-        log = std::make_unique<pipeline::TrialLog>(arguments.resume, pipeline::mesh_fingerprint(mesh));
+        log = std::make_unique<study::TrialLog>(arguments.resume, study::mesh_fingerprint(mesh));
     AnalysisReport report;
     report.title = fmt::format("ROC curves of {}{}",
                                std::filesystem::path(display_name(arguments.files.input)).filename().string(),
                                damage.damage ? " after " + damage.name : "");
     for (std::size_t n : vertices_of(arguments)) {
-        pipeline::TrialSetting setting = setting_of(arguments, mesh, key, n);
+        study::TrialSetting setting = setting_of(arguments, mesh, key, n);
         setting.damage = damage.damage;
-        const pipeline::TrialBench bench(mesh, std::move(setting), output.progress());
+        const study::TrialBench bench(mesh, std::move(setting), output.progress());
         require_base(arguments, bench, n);
         report.mesh.push_back(
-            pipeline::mesh_statistics(bench, key ? key->secret() : key::null_secret(arguments.seed, 0)));
+            study::mesh_statistics(bench, key ? key->secret() : key::null_secret(arguments.seed, 0)));
         for (double strength : strengths) {
-            std::vector<pipeline::RocCurve> curves = pipeline::predicted_rocs(
+            std::vector<study::RocCurve> curves = study::predicted_rocs(
                 bench, report.mesh.back(), strength, pf, arguments.pilots, output.progress());
             std::ranges::move(curves, std::back_inserter(report.predicted));
             if (arguments.trials > 0)
@@ -226,8 +224,8 @@ AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMes
 
 // --recommend
 
-pipeline::Requirement requirement_of(const AnalyzeArguments& arguments) {
-    pipeline::Requirement requirement;
+study::Requirement requirement_of(const AnalyzeArguments& arguments) {
+    study::Requirement requirement;
     if (!arguments.pf.empty()) {
         const std::vector<double> pf = parse_numbers(arguments.pf, "--pf", probabilities());
         if (pf.size() != 1)
@@ -237,13 +235,13 @@ pipeline::Requirement requirement_of(const AnalyzeArguments& arguments) {
     requirement.pm = arguments.pm;
     requirement.pilots = std::max<std::size_t>(arguments.pilots / 2, 2);
     if (!arguments.survive.empty())
-        requirement.survive = pipeline::parse_damages(arguments.survive);
+        requirement.survive = study::parse_damages(arguments.survive);
     return requirement;
 }
 
-ordered_json to_json(const pipeline::Recommendation& advice, const pipeline::Requirement& requirement) {
+ordered_json to_json(const study::Recommendation& advice, const study::Requirement& requirement) {
     ordered_json outcomes = ordered_json::array();
-    for (const pipeline::Outcome& outcome : advice.outcomes)
+    for (const study::Outcome& outcome : advice.outcomes)
         outcomes.push_back({{"attack", outcome.damage},
                             {"pm", std::pow(10, outcome.log10_pm)},
                             {"log10_pm", outcome.log10_pm}});
@@ -258,10 +256,10 @@ ordered_json to_json(const pipeline::Recommendation& advice, const pipeline::Req
             {"outcomes", outcomes}};
 }
 
-std::string sentence(const pipeline::Recommendation& advice, const pipeline::Requirement& requirement) {
+std::string sentence(const study::Recommendation& advice, const study::Requirement& requirement) {
     if (!advice.reached)
         return fmt::format("No strength up to {:g} % meets P_f = {:g} and P_m = {:g} on this mesh.\n",
-                           pipeline::largest_strength, requirement.pf, requirement.pm);
+                           study::largest_strength, requirement.pf, requirement.pm);
     return fmt::format(
         "Mark with --strength {:.4g}: at P_f = {:g} the mark is missed with probability {:g} at most.\n",
         advice.strength, requirement.pf, requirement.pm);
@@ -269,20 +267,20 @@ std::string sentence(const pipeline::Recommendation& advice, const pipeline::Req
 
 int recommend(const AnalyzeArguments& arguments, const TriangleMesh& mesh, const std::optional<key::Key>& key,
               Output& output) {
-    const pipeline::Requirement requirement = requirement_of(arguments);
+    const study::Requirement requirement = requirement_of(arguments);
     const std::vector<std::size_t> vertices = vertices_of(arguments);
     if (vertices.size() != 1)
         throw ParameterError("--recommend takes one number of --vertices");
-    const pipeline::Recommendation advice = pipeline::recommend(
+    const study::Recommendation advice = study::recommend(
         mesh, setting_of(arguments, mesh, key, vertices.front()), requirement, output.progress());
     output.print(sentence(advice, requirement));
-    reporting::Table table{{"after", "log10 P_m"}, {}};
-    for (const pipeline::Outcome& outcome : advice.outcomes)
+    report::Table table{{"after", "log10 P_m"}, {}};
+    for (const study::Outcome& outcome : advice.outcomes)
         table.rows.push_back({outcome.damage, fmt::format("{:.2f}", outcome.log10_pm)});
     output.print(fmt::format("move along the normals   {:.4f} % of the box's diagonal (root mean square)\n"
                              "move of the vertices     {:.4f} % (root mean square), {:.4f} % (largest)\n\n{}",
                              advice.distortion.normal_rms, advice.distortion.vertex_rms,
-                             advice.distortion.max, reporting::to_text(table)));
+                             advice.distortion.max, report::to_text(table)));
     output.print_json({{"input", arguments.files.input}, {"recommended", to_json(advice, requirement)}});
     return advice.reached ? exit_done : exit_check_failed;
 }

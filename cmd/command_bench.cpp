@@ -14,15 +14,16 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/version.hpp>
 #include <wm3d/report/render.hpp>
 #include <wm3d/resync/registration.hpp>
+#include <wm3d/study/bench_log.hpp>
+#include <wm3d/study/damage.hpp>
+#include <wm3d/study/trial_log.hpp>
 
 #include "bench_heat_map.hpp"
 #include "bench_summary.hpp"
-#include "pipeline/bench_log.hpp"
-#include "pipeline/damage.hpp"
-#include "pipeline/trial_log.hpp"
 #include "support/mesh_files.hpp"
 #include "support/number_list.hpp"
 #include "support/usage.hpp"
@@ -39,18 +40,18 @@ struct BenchArguments {
     std::string out;
     std::string strengths, mrms, attacks;
     std::string pf = "1e-9";
-    pipeline::BenchSetting setting;
+    study::BenchSetting setting;
 };
 
 // What is asked for
 
-std::vector<pipeline::MarkSize> sizes_of(const BenchArguments& arguments) {
-    using Unit = pipeline::MarkSize::Unit;
+std::vector<study::MarkSize> sizes_of(const BenchArguments& arguments) {
+    using Unit = study::MarkSize::Unit;
     const bool limited = !arguments.mrms.empty();
     const std::string text = limited ? arguments.mrms : arguments.strengths;
-    std::vector<pipeline::MarkSize> sizes;
+    std::vector<study::MarkSize> sizes;
     for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02"))) {
-        const pipeline::MarkSize size{limited ? Unit::mrms : Unit::strength, value};
+        const study::MarkSize size{limited ? Unit::mrms : Unit::strength, value};
         if (std::ranges::find(sizes, size) != sizes.end())
             throw ParameterError(
                 fmt::format("--{}: {} is named twice; name it once", limited ? "mrms" : "strengths", value));
@@ -74,15 +75,15 @@ std::vector<double> log10_targets_of(const BenchArguments& arguments, std::size_
     return targets;
 }
 
-std::vector<pipeline::AttackChain> attacks_of(const BenchArguments& arguments) {
+std::vector<study::AttackChain> attacks_of(const BenchArguments& arguments) {
     if (arguments.attacks.empty())
-        return pipeline::default_attacks();
-    std::vector<pipeline::AttackChain> chains;
-    for (const pipeline::NamedDamage& damage : pipeline::parse_damages(arguments.attacks))
-        if (pipeline::AttackChain chain = attack::parse_chain(damage.name);
+        return study::default_attacks();
+    std::vector<study::AttackChain> chains;
+    for (const study::NamedDamage& damage : study::parse_damages(arguments.attacks))
+        if (study::AttackChain chain = attack::parse_chain(damage.name);
             std::ranges::find(chains, chain) == chains.end())
             chains.push_back(std::move(chain));
-    for (const pipeline::AttackChain& chain : chains)
+    for (const study::AttackChain& chain : chains)
         for (const attack::AttackSpec& spec : chain)
             if (!std::ranges::find(attack::known_attacks(), spec.name, &attack::AttackInfo::name)->available)
                 throw ParameterError(
@@ -92,16 +93,16 @@ std::vector<pipeline::AttackChain> attacks_of(const BenchArguments& arguments) {
     return chains;
 }
 
-std::string name_of(pipeline::Profile profile) {
-    return profile == pipeline::Profile::robust ? "robust" : "paper";
+std::string name_of(watermark::Profile profile) {
+    return profile == watermark::Profile::robust ? "robust" : "paper";
 }
 
 /// Everything that the results depend on, besides models, keys and attacks, of which more may be added.
-ordered_json settings_of(const pipeline::BenchSetting& setting) {
+ordered_json settings_of(const study::BenchSetting& setting) {
     ordered_json sizes = ordered_json::array();
-    for (const pipeline::MarkSize& size : setting.sizes)
-        sizes.push_back(pipeline::to_string(size));
-    return {{"version", WM3D_VERSION},
+    for (const study::MarkSize& size : setting.sizes)
+        sizes.push_back(study::to_string(size));
+    return {{"version", std::string(version())},
             {"seed", setting.seed},
             {"sizes", sizes},
             {"wrong_keys", setting.wrong_keys},
@@ -178,7 +179,7 @@ public:
         ++done_;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
         const double seconds = spent.count() / static_cast<double>(done_) * static_cast<double>(left_);
-        report(progress_,
+        notify(progress_,
                fmt::format("{} of {} items, {} left", done_, done_ + left_, duration_text(seconds)),
                static_cast<double>(done_) / static_cast<double>(done_ + left_));
     }
@@ -199,11 +200,11 @@ private:
 };
 
 /// The mesh of a file, or why there is none.
-std::optional<io::Model> read_model(const fs::path& path, pipeline::BenchModel& model) {
+std::optional<io::Model> read_model(const fs::path& path, study::BenchModel& model) {
     try {
         io::Model file = read_mesh(path.string());
         const TriangleMesh& mesh = file.mesh();
-        model = {pipeline::mesh_fingerprint(mesh), mesh.positions.size(), mesh.triangles.size(), ""};
+        model = {study::mesh_fingerprint(mesh), mesh.positions.size(), mesh.triangles.size(), ""};
         return file;
     } catch (const Error& error) {
         model.error = error.what();
@@ -212,17 +213,17 @@ std::optional<io::Model> read_model(const fs::path& path, pipeline::BenchModel& 
 }
 
 /// One model from its file to its last item. \return whether anything could be done with it
-bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipeline::BenchLog& log,
+bool run_model(const fs::path& path, const study::BenchSetting& setting, study::BenchLog& log,
                Countdown& countdown, Output& output) {
     const std::string name = path.filename().string();
-    const pipeline::BenchWork work = pipeline::missing_work(name, setting, log.results());
-    pipeline::BenchModel model;
+    const study::BenchWork work = study::missing_work(name, setting, log.results());
+    study::BenchModel model;
     const std::optional<io::Model> file = read_model(path, model);
     log.add(name, model);
     output.detail(fmt::format("{}: {} items to do", name, work.items.size()));
     if (file) {
         try {
-            pipeline::run_bench(
+            study::run_bench(
                 file->mesh(), setting, work, log, [&] { countdown.tick(); }, output.progress());
             return true;
         } catch (const GeometryError& error) {
@@ -235,11 +236,11 @@ bool run_model(const fs::path& path, const pipeline::BenchSetting& setting, pipe
     return false;
 }
 
-std::size_t items_left(const std::vector<fs::path>& models, const pipeline::BenchSetting& setting,
-                       const pipeline::BenchResults& done) {
+std::size_t items_left(const std::vector<fs::path>& models, const study::BenchSetting& setting,
+                       const study::BenchResults& done) {
     std::size_t items = 0;
     for (const fs::path& path : models)
-        items += pipeline::missing_work(path.filename().string(), setting, done).items.size();
+        items += study::missing_work(path.filename().string(), setting, done).items.size();
     return items;
 }
 
@@ -251,9 +252,9 @@ std::string command_line(const BenchArguments& arguments) {
                     limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
     if (!arguments.attacks.empty())
         text += " --attacks " + arguments.attacks;
-    if (arguments.setting.vertices != pipeline::default_vertices)
+    if (arguments.setting.vertices != watermark::default_vertices)
         text += fmt::format(" --vertices {}", arguments.setting.vertices);
-    if (arguments.setting.profile != pipeline::BenchSetting{}.profile)
+    if (arguments.setting.profile != study::BenchSetting{}.profile)
         text += " --profile " + name_of(arguments.setting.profile);
     if (arguments.setting.assisted)
         text += " --reference";
@@ -263,20 +264,20 @@ std::string command_line(const BenchArguments& arguments) {
 
 /// Draws the heat map as SVG and PNG. \return whether gnuplot is there to do it
 bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary, Output& output) {
-    if (!reporting::can_render()) {
+    if (!report::can_render()) {
         output.warn(
             "there is no heat map, which gnuplot would draw; install it, for example with 'apt-get install "
             "gnuplot-nox', and run the same command again");
         return false;
     }
-    const reporting::HeatMap map = bench_heat_map(summary.tables);
-    write_result(arguments, "summary.svg", reporting::render(map, reporting::Image::svg));
-    write_result(arguments, "summary.png", reporting::render(map, reporting::Image::png));
+    const report::HeatMap map = bench_heat_map(summary.tables);
+    write_result(arguments, "summary.svg", report::render(map, report::Image::svg));
+    write_result(arguments, "summary.png", report::render(map, report::Image::png));
     return true;
 }
 
 ordered_json to_json(const BenchTable& table) {
-    return {{"size", pipeline::to_string(table.size)},
+    return {{"size", study::to_string(table.size)},
             {"log10_target", table.log10_target},
             {"cells", table.filled()},
             {"missed", table.missed()}};
@@ -293,7 +294,7 @@ ordered_json to_json(const WrongKeys& wrong) {
     return {{"keys", wrong.keys}, {"counts", counts}, {"p_uniformity", wrong.uniformity}};
 }
 
-void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeline::BenchResults& results,
+void deliver(const BenchArguments& arguments, BenchSummary summary, const study::BenchResults& results,
              Output& output) {
     if (draw_heat_map(arguments, summary, output))
         summary.heat_map = "summary.svg";
@@ -315,7 +316,7 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const pipeli
 }
 
 int run(BenchArguments arguments, Output& output) {
-    pipeline::BenchSetting& setting = arguments.setting;
+    study::BenchSetting& setting = arguments.setting;
     setting.sizes = sizes_of(arguments);
     setting.attacks = attacks_of(arguments);
     const std::vector<double> targets = log10_targets_of(arguments, setting.sizes.size());
@@ -324,7 +325,7 @@ int run(BenchArguments arguments, Output& output) {
                              "-DWM3D_RESYNC=ON");
     const std::vector<fs::path> models = models_of(arguments);
     make_folder(arguments.out);
-    pipeline::BenchLog log((fs::path(arguments.out) / "items.jsonl").string(), settings_of(setting));
+    study::BenchLog log((fs::path(arguments.out) / "items.jsonl").string(), settings_of(setting));
     log.add_command(command_line(arguments));
     Countdown countdown(items_left(models, setting, log.results()), output.progress());
     std::size_t readable = 0;
@@ -333,7 +334,7 @@ int run(BenchArguments arguments, Output& output) {
     if (readable == 0)
         throw InputError("none of the models can be examined; the warnings say why");
     BenchSummary summary = summarize(log.results(), setting, targets);
-    summary.version = WM3D_VERSION;
+    summary.version = version();
     deliver(arguments, summary, log.results(), output);
     return exit_done;
 }
@@ -373,8 +374,8 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--profile", arguments.setting.profile,
                    "How marks are laid out, as of `mark`: robust or paper [robust]")
         ->option_text("NAME")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Profile>{
-            {"robust", pipeline::Profile::robust}, {"paper", pipeline::Profile::paper}}));
+        ->transform(CLI::CheckedTransformer(std::map<std::string, watermark::Profile>{
+            {"robust", watermark::Profile::robust}, {"paper", watermark::Profile::paper}}));
     app.add_flag("--reference", arguments.setting.assisted,
                  "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/metrics.hpp>
 
 #include "support/mesh_files.hpp"

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/maps.hpp>
-#include <wm3d/mesh/error.hpp>
 
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"

@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/study/recommend.hpp>
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/receipt.hpp>
+#include <wm3d/watermark/verify.hpp>
 
-#include "pipeline/mark.hpp"
-#include "pipeline/receipt.hpp"
-#include "pipeline/recommend.hpp"
-#include "pipeline/verify.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
@@ -29,7 +29,7 @@ struct MarkArguments {
     std::string key;
     std::string receipt;
     std::string normals = "keep";
-    pipeline::MarkOptions options;
+    watermark::MarkOptions options;
     bool automatic = false; ///< find the strength
     double pm = 1e-6;       ///< for `automatic`
     std::string survive;
@@ -44,7 +44,7 @@ void require_same_format(const MarkArguments& arguments, io::Format in, io::Form
                         arguments.files.output, io::name_of(in)));
 }
 
-void warn_if_too_coarse(const io::Model& model, const pipeline::Marked& marked, Output& output) {
+void warn_if_too_coarse(const io::Model& model, const watermark::Marked& marked, Output& output) {
     if (model.coordinate_step() > marked.distortion.normal_rms)
         output.warn(fmt::format(
             "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
@@ -54,24 +54,24 @@ void warn_if_too_coarse(const io::Model& model, const pipeline::Marked& marked, 
 
 /// Tells at once what a thief could make of the shape.
 void warn_if_ambiguous(const io::Model& model, const MarkArguments& arguments, Output& output) {
-    const resync::Ambiguity ambiguity = pipeline::ambiguity_of(model.mesh());
+    const resync::Ambiguity ambiguity = watermark::ambiguity_of(model.mesh());
     if (ambiguity != resync::Ambiguity::none && arguments.receipt.empty())
         output.warn(fmt::format("{}: {}; a rotated copy may not be found by the key alone, so keep a receipt "
                                 "(--receipt FILE), by which it can be",
                                 display_name(arguments.files.input), resync::describe(ambiguity)));
 }
 
-void write_receipt(const io::Model& model, const pipeline::Marked& marked, const key::Key& key,
+void write_receipt(const io::Model& model, const watermark::Marked& marked, const key::Key& key,
                    const io::PatchedFiles& files, const MarkArguments& arguments, Output& output) {
     // Positions that don't change leave every byte as it was read.
     const std::string original = model.patched(model.mesh().positions);
     const resync::Receipt receipt =
-        pipeline::make_receipt(model.mesh(), marked, key, original, files.bytes, output.progress());
+        watermark::make_receipt(model.mesh(), marked, key, original, files.bytes, output.progress());
     io::write_file(arguments.receipt, resync::to_text(receipt), {.overwrite = arguments.files.overwrite});
 }
 
 /// The marked file; what goes to a stream has no files beside it.
-io::PatchedFiles patched(const io::Model& model, const pipeline::Marked& marked,
+io::PatchedFiles patched(const io::Model& model, const watermark::Marked& marked,
                          const MarkArguments& arguments) {
     const auto normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
     const std::string_view name = arguments.files.output == "-" ? std::string_view() : arguments.files.output;
@@ -90,11 +90,11 @@ io::Model read_back(const io::PatchedFiles& files, const MarkArguments& argument
 }
 
 std::string self_check_failure(const TriangleMesh& mesh, const key::Key& key, const MarkArguments& arguments,
-                               const pipeline::Marked& marked, const pipeline::VerifyReport& check) {
-    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
-    pipeline::MarkOptions options = arguments.options;
+                               const watermark::Marked& marked, const watermark::VerifyReport& check) {
+    const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
+    watermark::MarkOptions options = arguments.options;
     options.strength = d.normal_rms;
-    const pipeline::Forecast forecast = pipeline::forecast(mesh, key, options);
+    const watermark::Forecast forecast = watermark::forecast(mesh, key, options);
     return fmt::format(
         "{}: nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is "
         "needed); {}",
@@ -109,13 +109,13 @@ std::string self_check_failure(const TriangleMesh& mesh, const key::Key& key, co
 }
 
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
-                               const pipeline::Marked& marked, const pipeline::VerifyReport& check) {
-    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
+                               const watermark::Marked& marked, const watermark::VerifyReport& check) {
+    const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
     return {{"input", arguments.files.input},
             {"output", arguments.files.output},
             {"key", key.fingerprint()},
             {"base_vertices", marked.base_vertices},
-            {"profile", marked.profile == pipeline::Profile::robust ? "robust" : "paper"},
+            {"profile", marked.profile == watermark::Profile::robust ? "robust" : "paper"},
             {"level", marked.level},
             {"rmax", marked.rmax},
             {"gamma", marked.gamma},
@@ -127,9 +127,9 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
             {"verdict", detect::name(check.verdict)}};
 }
 
-void tell(const MarkArguments& arguments, const pipeline::Marked& marked, const pipeline::VerifyReport& check,
-          Output& output) {
-    const embed::Distortion d = pipeline::percent(marked.distortion, marked.diagonal);
+void tell(const MarkArguments& arguments, const watermark::Marked& marked,
+          const watermark::VerifyReport& check, Output& output) {
+    const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
     output.say(fmt::format("Marked {} and wrote {}; verify finds the mark there with log10 p = {:.1f}.",
                            display_name(arguments.files.input),
                            display_name(arguments.files.output, "standard output"), check.score.log10_p));
@@ -144,28 +144,27 @@ void tell(const MarkArguments& arguments, const pipeline::Marked& marked, const 
 }
 
 /// With --auto the smallest strength that meets --pf and --pm, as `analyze --recommend` finds it.
-pipeline::MarkOptions resolved_options(const MarkArguments& arguments, const TriangleMesh& mesh,
-                                       const key::Key& key, Output& output) {
-    pipeline::MarkOptions options = arguments.options;
+watermark::MarkOptions resolved_options(const MarkArguments& arguments, const TriangleMesh& mesh,
+                                        const key::Key& key, Output& output) {
+    watermark::MarkOptions options = arguments.options;
     if (!arguments.automatic)
         return options;
-    pipeline::Requirement requirement;
+    study::Requirement requirement;
     requirement.pf = options.pf;
     requirement.pm = arguments.pm;
     if (!arguments.survive.empty())
-        requirement.survive = pipeline::parse_damages(arguments.survive);
-    pipeline::TrialSetting setting;
+        requirement.survive = study::parse_damages(arguments.survive);
+    study::TrialSetting setting;
     setting.vertices = options.vertices;
     setting.parameters = key.parameters();
     setting.level =
-        options.level.value_or(pipeline::default_level(setting.parameters, mesh.positions.size()));
-    const pipeline::Recommendation advice =
-        pipeline::recommend(mesh, setting, requirement, output.progress());
+        options.level.value_or(watermark::default_level(setting.parameters, mesh.positions.size()));
+    const study::Recommendation advice = study::recommend(mesh, setting, requirement, output.progress());
     if (!advice.reached)
         throw GeometryError(fmt::format(
             "{}: no strength up to {:g} % meets P_f = {:g} and P_m = {:g} on this mesh; ask "
             "for less, or mark a finer scan of the model",
-            display_name(arguments.files.input), pipeline::largest_strength, requirement.pf, requirement.pm));
+            display_name(arguments.files.input), study::largest_strength, requirement.pf, requirement.pm));
     options.strength = advice.strength;
     return options;
 }
@@ -178,18 +177,18 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Model model = read_input(arguments.files);
     require_same_format(arguments, model.format(), format);
 
-    const pipeline::MarkOptions options = resolved_options(arguments, model.mesh(), key, output);
-    const pipeline::Marked marked = pipeline::mark(model.mesh(), key, options, output.progress());
+    const watermark::MarkOptions options = resolved_options(arguments, model.mesh(), key, output);
+    const watermark::Marked marked = watermark::mark(model.mesh(), key, options, output.progress());
     warn_if_too_coarse(model, marked, output);
     warn_if_ambiguous(model, arguments, output);
     const bool to_stream = arguments.files.output == "-";
     const io::PatchedFiles files = patched(model, marked, arguments);
 
-    pipeline::VerifyOptions check_options;
+    watermark::VerifyOptions check_options;
     check_options.pf = arguments.options.pf;
     check_options.vertices = arguments.options.vertices;
-    const pipeline::VerifyReport check =
-        pipeline::verify(read_back(files, arguments, format).mesh(), key, check_options, output.progress());
+    const watermark::VerifyReport check =
+        watermark::verify(read_back(files, arguments, format).mesh(), key, check_options, output.progress());
     if (check.verdict != detect::Verdict::present) {
         output.fail(self_check_failure(model.mesh(), key, arguments, marked, check));
         return exit_check_failed;
@@ -210,7 +209,7 @@ int run(const MarkArguments& arguments, Output& output) {
 }
 
 void add_options(CLI::App& app, MarkArguments& arguments) {
-    pipeline::MarkOptions& options = arguments.options;
+    watermark::MarkOptions& options = arguments.options;
     add_input(app, arguments.files);
     add_output(app, arguments.files);
     app.add_option("--key", arguments.key, "Owner's key file")->option_text("FILE (required)")->required();
@@ -244,8 +243,8 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
            "--profile", options.profile,
            "How the strength is laid out: robust, shaped for the detector, or paper, eq. (3) alone [robust]")
         ->option_text("NAME")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, pipeline::Profile>{
-            {"robust", pipeline::Profile::robust}, {"paper", pipeline::Profile::paper}}));
+        ->transform(CLI::CheckedTransformer(std::map<std::string, watermark::Profile>{
+            {"robust", watermark::Profile::robust}, {"paper", watermark::Profile::paper}}));
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));

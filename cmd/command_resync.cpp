@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/resync.hpp>
+#include <wm3d/watermark/examination.hpp>
 
-#include "pipeline/examination.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
 
@@ -32,8 +32,8 @@ resync::PoseTemplate template_of(const ResyncArguments& arguments, Output& outpu
     if (arguments.reference.empty())
         return resync::parse_receipt(io::read_file(arguments.receipt), arguments.receipt).in_file();
     const io::Model reference = read_mesh(arguments.reference);
-    const pipeline::Suspect simplified =
-        pipeline::simplify_suspect(reference.mesh(), pipeline::default_vertices, output.progress());
+    const watermark::Suspect simplified =
+        watermark::simplify_suspect(reference.mesh(), watermark::default_vertices, output.progress());
     return resync::make_template(simplified.base, reference_points);
 }
 
@@ -103,8 +103,8 @@ int run(const ResyncArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     const resync::PoseTemplate against = template_of(arguments, output);
     const io::Model model = read_input(arguments.files);
-    const pipeline::Suspect suspect =
-        pipeline::simplify_suspect(model.mesh(), pipeline::default_vertices, output.progress());
+    const watermark::Suspect suspect =
+        watermark::simplify_suspect(model.mesh(), watermark::default_vertices, output.progress());
     const resync::Registration found =
         resync::register_template(against, suspect.base, {}, output.progress());
     if (!found.aligned)

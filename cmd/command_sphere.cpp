@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/key.hpp>
-#include <wm3d/mesh/error.hpp>
 #include <wm3d/sphere.hpp>
 
 #include "support/key_files.hpp"

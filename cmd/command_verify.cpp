@@ -9,10 +9,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/resync/receipt.hpp>
+#include <wm3d/watermark/verify.hpp>
 
-#include "pipeline/verify.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
@@ -27,7 +27,7 @@ using nlohmann::ordered_json;
 struct VerifyArguments {
     MeshFiles files;
     std::string key;
-    pipeline::VerifyOptions options;
+    watermark::VerifyOptions options;
     std::string detector = "whitened";
     std::string resync; ///< empty: pca, and icp where a receipt or a reference is given
     std::string receipt, reference;
@@ -63,14 +63,14 @@ std::string power_of_ten(double log10_p) {
 }
 
 /// Why a verdict is inconclusive, and what would help.
-std::string reason(const pipeline::VerifyReport& report) {
+std::string reason(const watermark::VerifyReport& report) {
     switch (report.doubt) {
-    case pipeline::Doubt::opening:
+    case watermark::Doubt::opening:
         return fmt::format(
             "it has an opening as large as {:.1f} % of its surface: if a part was cut off there, the "
             "rest alone doesn't tell where the mark lies; give --receipt or --reference, which do.",
             100 * report.largest_opening);
-    case pipeline::Doubt::alignment:
+    case watermark::Doubt::alignment:
         return "it could not be aligned with what was given, so the place where the mark would lie is not "
                "known.";
     default:
@@ -81,18 +81,18 @@ std::string reason(const pipeline::VerifyReport& report) {
     }
 }
 
-std::string_view name(pipeline::Doubt doubt) {
+std::string_view name(watermark::Doubt doubt) {
     switch (doubt) {
-    case pipeline::Doubt::opening:
+    case watermark::Doubt::opening:
         return "opening";
-    case pipeline::Doubt::alignment:
+    case watermark::Doubt::alignment:
         return "alignment";
     default:
         return "power";
     }
 }
 
-std::string sentence(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
+std::string sentence(const VerifyArguments& arguments, const watermark::VerifyReport& report,
                      const std::string& key) {
     const std::string file = display_name(arguments.files.input);
     const double pf = arguments.options.pf;
@@ -120,7 +120,7 @@ std::string sentence(const VerifyArguments& arguments, const pipeline::VerifyRep
     }
 }
 
-std::string figures(const pipeline::VerifyReport& report) {
+std::string figures(const watermark::VerifyReport& report) {
     std::string text = fmt::format(
         "log10 p         {:.2f} (family-wise, {} hypotheses)\nscore           {:.2f} standard deviations; "
         "{:.1f} expected of a mark of the usual strength\nbase vertices   {}\nbest            level {}, pose "
@@ -138,7 +138,7 @@ std::string figures(const pipeline::VerifyReport& report) {
                         "confidence {:.2f}",
                         100 * report.registration->coverage, report.registration->residual,
                         report.registration->confidence);
-    const pipeline::PaperReport& paper = report.paper;
+    const watermark::PaperReport& paper = report.paper;
     text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
                         paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
     if (report.null)
@@ -148,7 +148,7 @@ std::string figures(const pipeline::VerifyReport& report) {
     return text;
 }
 
-ordered_json paper_json(const pipeline::PaperReport& paper) {
+ordered_json paper_json(const watermark::PaperReport& paper) {
     const detect::PaperStatistics& s = paper.statistics;
     return {{"rho", s.rho},
             {"threshold", paper.threshold},
@@ -168,7 +168,7 @@ ordered_json registration_json(const resync::Registration& registration) {
             {"confidence", registration.confidence}, {"searched", registration.searched}};
 }
 
-ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyReport& report,
+ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyReport& report,
                      const key::Key& key) {
     ordered_json json{{"input", arguments.files.input},
                       {"key", key.fingerprint()},
@@ -188,7 +188,7 @@ ordered_json to_json(const VerifyArguments& arguments, const pipeline::VerifyRep
                       {"pose", report.pose},
                       {"pose_origin", report.pose_origin},
                       {"paper", paper_json(report.paper)}};
-    if (report.doubt != pipeline::Doubt::none)
+    if (report.doubt != watermark::Doubt::none)
         json["reason"] = name(report.doubt);
     if (report.filter)
         json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
@@ -222,8 +222,8 @@ Evidence read_evidence(const VerifyArguments& arguments, Output& output) {
     return evidence;
 }
 
-pipeline::VerifyOptions with_evidence(const VerifyArguments& arguments, const Evidence& evidence) {
-    pipeline::VerifyOptions options = arguments.options;
+watermark::VerifyOptions with_evidence(const VerifyArguments& arguments, const Evidence& evidence) {
+    watermark::VerifyOptions options = arguments.options;
     options.receipt = evidence.receipt ? &*evidence.receipt : nullptr;
     options.reference = evidence.reference ? &evidence.reference->mesh() : nullptr;
     options.align_receipt =
@@ -247,7 +247,7 @@ std::string receipt_line(std::string_view file) {
 }
 
 /// What a registration tells besides the verdict.
-void tell_alignment(const VerifyArguments& arguments, const pipeline::VerifyReport& report, Output& output) {
+void tell_alignment(const VerifyArguments& arguments, const watermark::VerifyReport& report, Output& output) {
     if (!report.registration)
         return;
     const std::string against = arguments.reference.empty() ? arguments.receipt : arguments.reference;
@@ -274,8 +274,8 @@ int run(const VerifyArguments& arguments, Output& output) {
     const key::Key key = load_key(arguments.key, output);
     const Evidence evidence = read_evidence(arguments, output);
     const io::Model model = read_input(arguments.files);
-    const pipeline::VerifyReport report =
-        pipeline::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
+    const watermark::VerifyReport report =
+        watermark::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
     tell_alignment(arguments, report, output);
     const std::string name =
         key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());
@@ -342,10 +342,10 @@ Action declare_verify(CLI::App& app) {
                "  wm3d verify any.stl --key museum.key --pf 0.05 --null-keys 200");
     return [arguments](Output& output) {
         arguments->options.detector =
-            arguments->detector == "paper" ? pipeline::Detector::paper : pipeline::Detector::whitened;
-        arguments->options.resync = arguments->resync == "none"  ? pipeline::Resync::none
-                                    : arguments->resync == "icp" ? pipeline::Resync::icp
-                                                                 : pipeline::Resync::pca;
+            arguments->detector == "paper" ? watermark::Detector::paper : watermark::Detector::whitened;
+        arguments->options.resync = arguments->resync == "none"  ? watermark::Resync::none
+                                    : arguments->resync == "icp" ? watermark::Resync::icp
+                                                                 : watermark::Resync::pca;
         return run(*arguments, output);
     };
 }

@@ -10,8 +10,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/core/version.hpp>
 
 #include "commands.hpp"
 #include "support/external.hpp"
@@ -98,7 +99,7 @@ int dispatch(std::span<char* const> arguments) {
         return exit_done;
     }
     if (name == "--version" || name == "-V") {
-        write_all(STDOUT_FILENO, fmt::format("wm3d {}\n", WM3D_VERSION));
+        write_all(STDOUT_FILENO, fmt::format("wm3d {}\n", version()));
         return exit_done;
     }
     if (const Command* command = find_command(name))

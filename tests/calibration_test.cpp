@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  The calibration proof: random keys on real, unmarked meshes pass thresholds as often as the exact
 /// null says.
-#include "pipeline/calibration.hpp"
+#include <wm3d/study/calibration.hpp>
 
 #include <cmath>
 #include <cstdlib>
@@ -11,11 +11,11 @@
 #include <doctest/doctest.h>
 
 #include <wm3d/io.hpp>
-
-#include "pipeline/null_keys.hpp"
+#include <wm3d/watermark/null_keys.hpp>
 
 using namespace wm3d;
-using namespace wm3d::pipeline;
+using namespace wm3d::study;
+using namespace wm3d::watermark;
 
 namespace {
 

@@ -7,12 +7,11 @@
 #include <doctest/doctest.h>
 
 #include <wm3d/attack.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes/shapes.hpp>
-
-#include "pipeline/mark.hpp"
-#include "pipeline/receipt.hpp"
-#include "pipeline/verify.hpp"
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/receipt.hpp>
+#include <wm3d/watermark/verify.hpp>
 
 using namespace wm3d;
 using detect::Verdict;
@@ -25,11 +24,11 @@ struct Specimen {
     resync::Receipt receipt;
 
     Specimen() {
-        pipeline::MarkOptions options;
+        watermark::MarkOptions options;
         options.strength = 0.1;
-        const pipeline::Marked report = pipeline::mark(original, key, options);
+        const watermark::Marked report = watermark::mark(original, key, options);
         marked.positions = report.positions;
-        receipt = pipeline::make_receipt(original, report, key, "a", "b");
+        receipt = watermark::make_receipt(original, report, key, "a", "b");
     }
 };
 
@@ -52,15 +51,15 @@ TriangleMesh cut(const TriangleMesh& mesh, double percent, std::uint64_t seed) {
     return attack::crop(mesh, options, seed);
 }
 
-pipeline::VerifyOptions with_receipt() {
-    pipeline::VerifyOptions options;
+watermark::VerifyOptions with_receipt() {
+    watermark::VerifyOptions options;
     options.receipt = &specimen().receipt;
     options.align_receipt = resync::has_registration();
     return options;
 }
 
-pipeline::VerifyOptions with_reference() {
-    pipeline::VerifyOptions options;
+watermark::VerifyOptions with_reference() {
+    watermark::VerifyOptions options;
     options.reference = &specimen().original;
     return options;
 }
@@ -69,13 +68,13 @@ pipeline::VerifyOptions with_reference() {
 
 TEST_CASE("a moved copy is found blind, as well as one in place but for the price of the poses") {
     const Specimen& s = specimen();
-    pipeline::VerifyOptions none;
-    none.resync = pipeline::Resync::none;
-    const double in_place = pipeline::verify(s.marked, s.key, none).score.log10_p;
+    watermark::VerifyOptions none;
+    none.resync = watermark::Resync::none;
+    const double in_place = watermark::verify(s.marked, s.key, none).score.log10_p;
     REQUIRE(in_place < -6);
     for (double scale : {0.1, 10.0}) {
-        const pipeline::VerifyReport report =
-            pipeline::verify(moved(s.marked, 2.5 * scale, scale), s.key, {});
+        const watermark::VerifyReport report =
+            watermark::verify(moved(s.marked, 2.5 * scale, scale), s.key, {});
         CHECK(report.verdict == Verdict::present);
         const double price = std::log10(static_cast<double>(report.score.hypotheses) / 12);
         CHECK(report.score.log10_p < in_place + price + 2);
@@ -84,9 +83,9 @@ TEST_CASE("a moved copy is found blind, as well as one in place but for the pric
 
 TEST_CASE("a copy that was cut in place is found in the receipt's frame as it stands") {
     const Specimen& s = specimen();
-    pipeline::VerifyOptions options = with_receipt();
+    watermark::VerifyOptions options = with_receipt();
     options.align_receipt = false;
-    const pipeline::VerifyReport report = pipeline::verify(cut(s.marked, 40, 1), s.key, options);
+    const watermark::VerifyReport report = watermark::verify(cut(s.marked, 40, 1), s.key, options);
     CHECK(report.verdict == Verdict::present);
     CHECK(report.pose_origin == "receipt, as it stands");
 }
@@ -98,35 +97,35 @@ TEST_CASE("a copy that was cut and moved is found with the receipt and with the 
     }
     const Specimen& s = specimen();
     const TriangleMesh suspect = moved(cut(s.marked, 40, 2), 1.9, 4);
-    CHECK(pipeline::verify(suspect, s.key, with_receipt()).verdict == Verdict::present);
-    CHECK(pipeline::verify(suspect, s.key, with_reference()).verdict == Verdict::present);
+    CHECK(watermark::verify(suspect, s.key, with_receipt()).verdict == Verdict::present);
+    CHECK(watermark::verify(suspect, s.key, with_reference()).verdict == Verdict::present);
 }
 
 TEST_CASE("of a cut copy nothing is called absent but in a pose that can be trusted") {
     const Specimen& s = specimen();
     const TriangleMesh suspect = moved(cut(s.marked, 20, 3), 1.2, 2),
                        clean = moved(cut(s.original, 20, 3), 1.2, 2);
-    const pipeline::VerifyReport blind = pipeline::verify(suspect, s.key, {});
+    const watermark::VerifyReport blind = watermark::verify(suspect, s.key, {});
     CHECK(blind.verdict == Verdict::inconclusive);
-    CHECK(blind.doubt == pipeline::Doubt::opening);
-    CHECK(blind.largest_opening > pipeline::tolerated_opening);
-    CHECK(pipeline::verify(clean, s.key, {}).doubt == pipeline::Doubt::opening);
+    CHECK(blind.doubt == watermark::Doubt::opening);
+    CHECK(blind.largest_opening > watermark::tolerated_opening);
+    CHECK(watermark::verify(clean, s.key, {}).doubt == watermark::Doubt::opening);
     if (!resync::has_registration())
         return;
-    CHECK(pipeline::verify(suspect, s.key, with_receipt()).verdict == Verdict::present);
-    const pipeline::VerifyReport assisted = pipeline::verify(clean, s.key, with_receipt());
+    CHECK(watermark::verify(suspect, s.key, with_receipt()).verdict == Verdict::present);
+    const watermark::VerifyReport assisted = watermark::verify(clean, s.key, with_receipt());
     CHECK(assisted.verdict == Verdict::absent);
-    CHECK(assisted.doubt == pipeline::Doubt::none);
+    CHECK(assisted.doubt == watermark::Doubt::none);
 }
 
 TEST_CASE("holes as scans have them leave the verdict as it is") {
     const Specimen& s = specimen();
     TriangleMesh clean = s.original;
     clean.triangles.resize(clean.triangles.size() - 40); // a hole of 0.2 % of the surface
-    const pipeline::VerifyReport report = pipeline::verify(clean, s.key, {});
+    const watermark::VerifyReport report = watermark::verify(clean, s.key, {});
     CHECK(report.largest_opening > 0);
     CHECK(report.verdict == Verdict::absent);
-    CHECK(pipeline::verify(s.original, s.key, {}).largest_opening == 0);
+    CHECK(watermark::verify(s.original, s.key, {}).largest_opening == 0);
 }
 
 TEST_CASE("the original finds what simplification leaves of a mark") {
@@ -134,8 +133,8 @@ TEST_CASE("the original finds what simplification leaves of a mark") {
         return;
     const Specimen& s = specimen();
     const TriangleMesh suspect = moved(attack::simplify_edges(s.marked, 95), 1, 2);
-    const double blind = pipeline::verify(suspect, s.key, {}).score.log10_p;
-    const double assisted = pipeline::verify(suspect, s.key, with_reference()).score.log10_p;
+    const double blind = watermark::verify(suspect, s.key, {}).score.log10_p;
+    const double assisted = watermark::verify(suspect, s.key, with_reference()).score.log10_p;
     CHECK(assisted <= -12);
     CHECK(assisted < blind);
 }
@@ -147,7 +146,7 @@ TEST_CASE("a mirror image is found with the receipt, and told") {
     TriangleMesh mirrored = moved(s.marked, 2, 1);
     for (Vec3& p : mirrored.positions)
         p.y() = -p.y();
-    const pipeline::VerifyReport report = pipeline::verify(mirrored, s.key, with_receipt());
+    const watermark::VerifyReport report = watermark::verify(mirrored, s.key, with_receipt());
     CHECK(report.verdict == Verdict::present);
     REQUIRE(report.registration);
     CHECK(report.registration->transform.mirrors());
@@ -157,24 +156,24 @@ TEST_CASE("with a reference of another object the alignment fails, and nothing i
     if (!resync::has_registration())
         return;
     const Specimen& s = specimen();
-    const pipeline::VerifyReport report =
-        pipeline::verify(shapes::torus(2, 0.6, 120, 60), s.key, with_reference());
+    const watermark::VerifyReport report =
+        watermark::verify(shapes::torus(2, 0.6, 120, 60), s.key, with_reference());
     REQUIRE(report.registration);
     CHECK_FALSE(report.registration->aligned);
     CHECK(report.verdict == Verdict::inconclusive);
-    CHECK(report.doubt == pipeline::Doubt::alignment);
+    CHECK(report.doubt == watermark::Doubt::alignment);
 }
 
 TEST_CASE("random keys stay below P_f on every path") {
     const Specimen& s = specimen();
     const TriangleMesh suspect = moved(s.marked, 0.7, 3);
-    std::vector<pipeline::VerifyOptions> paths{{}, with_receipt()};
+    std::vector<watermark::VerifyOptions> paths{{}, with_receipt()};
     if (resync::has_registration())
         paths.push_back(with_reference());
-    for (pipeline::VerifyOptions& options : paths) {
+    for (watermark::VerifyOptions& options : paths) {
         options.pf = 0.05;
         options.null_keys = 2000;
-        const pipeline::VerifyReport report = pipeline::verify(suspect, s.key, options);
+        const watermark::VerifyReport report = watermark::verify(suspect, s.key, options);
         REQUIRE(report.null);
         // Bonferroni keeps the mean at 100 or below; 140 would be four standard deviations above.
         CHECK(report.null->false_positives <= 140);
@@ -184,14 +183,14 @@ TEST_CASE("random keys stay below P_f on every path") {
 TEST_CASE("another key's receipt is refused, and so is registration without Ceres") {
     const Specimen& s = specimen();
     const key::Key other = key::Key::generate("other");
-    CHECK_THROWS_AS(pipeline::verify(s.marked, other, with_receipt()), ParameterError);
+    CHECK_THROWS_AS(watermark::verify(s.marked, other, with_receipt()), ParameterError);
     if (!resync::has_registration())
-        CHECK_THROWS_WITH_AS(pipeline::verify(s.marked, s.key, with_reference()),
+        CHECK_THROWS_WITH_AS(watermark::verify(s.marked, s.key, with_reference()),
                              doctest::Contains("WM3D_RESYNC"), ParameterError);
 }
 
 TEST_CASE("shapes that moments can't turn are told") {
-    CHECK(pipeline::ambiguity_of(shapes::sphere(1, 20)) == resync::Ambiguity::all);
-    CHECK(pipeline::ambiguity_of(shapes::torus(1, 0.2, 30, 20)) == resync::Ambiguity::plane);
-    CHECK(pipeline::ambiguity_of(specimen().original) == resync::Ambiguity::none);
+    CHECK(watermark::ambiguity_of(shapes::sphere(1, 20)) == resync::Ambiguity::all);
+    CHECK(watermark::ambiguity_of(shapes::torus(1, 0.2, 30, 20)) == resync::Ambiguity::plane);
+    CHECK(watermark::ambiguity_of(specimen().original) == resync::Ambiguity::none);
 }

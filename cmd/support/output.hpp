@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 
 #include "support/progress_line.hpp"
 

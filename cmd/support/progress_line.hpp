@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 
 namespace wm3d::cmd {
 

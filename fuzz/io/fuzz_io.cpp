@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/io.hpp>
-#include <wm3d/mesh/error.hpp>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace wm3d;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/attack/random.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/weld.hpp>
 
@@ -68,10 +68,10 @@ TriangleMesh apply(const TriangleMesh& mesh, std::span<const AttackSpec> chain, 
             "holds the model that you mean");
     const RandomStream seeds(seed, 0);
     for (std::size_t i = 0; i < chain.size(); ++i) {
-        report(progress, chain[i].name, static_cast<double>(i) / static_cast<double>(chain.size()));
+        notify(progress, chain[i].name, static_cast<double>(i) / static_cast<double>(chain.size()));
         current = run(current, chain[i], i == 0 ? seed : seeds.word(i));
     }
-    report(progress, "attack", 1);
+    notify(progress, "attack", 1);
     return current;
 }
 

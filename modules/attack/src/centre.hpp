@@ -2,7 +2,7 @@
 /// \file  The mean of the vertices, the fixed point of the attacks that move space.
 #pragma once
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 
 namespace wm3d::attack {

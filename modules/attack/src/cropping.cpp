@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include <wm3d/attack/random.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "capping.hpp"
 #include "manifold.hpp"

@@ -6,9 +6,9 @@
 #include <numbers>
 
 #include <wm3d/attack/random.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 #include "centre.hpp"
 

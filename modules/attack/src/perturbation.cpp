@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <wm3d/attack/random.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/neighbours.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 #include "centre.hpp"
 

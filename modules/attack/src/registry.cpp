@@ -10,7 +10,7 @@
 #include <wm3d/attack/perturbation.hpp>
 #include <wm3d/attack/resampling.hpp>
 #include <wm3d/attack/smoothing.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::attack {

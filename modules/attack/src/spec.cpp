@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "registry.hpp"
 

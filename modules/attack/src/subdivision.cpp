@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "midpoint.hpp"
 #include "openmesh_subdivision.hpp"

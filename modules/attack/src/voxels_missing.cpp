@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/attack/resampling.hpp>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 namespace wm3d::attack {
 

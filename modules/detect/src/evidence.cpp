@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::detect {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/detect/tail.hpp>
-#include <wm3d/mesh/error.hpp>
 
 namespace wm3d::detect {
 

@@ -7,7 +7,7 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <fmt/format.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 namespace wm3d::detect {
 

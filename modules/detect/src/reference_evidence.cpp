@@ -7,9 +7,9 @@
 
 #include <Eigen/Dense>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/surface_filter.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::detect {
 

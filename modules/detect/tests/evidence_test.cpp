@@ -5,9 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/mesh/frame.hpp>
-#include <wm3d/mesh/parallel.hpp>
 #include <wm3d/shapes.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 

@@ -5,8 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/detect/tail.hpp>
-#include <wm3d/mesh/error.hpp>
 
 using namespace wm3d;
 using namespace wm3d::detect;

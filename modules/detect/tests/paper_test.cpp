@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <wm3d/detect/paper.hpp>
-#include <wm3d/detect/paper_null.hpp>
-
 #include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/detect/paper.hpp>
+#include <wm3d/detect/paper_null.hpp>
 
 using namespace wm3d;
 using namespace wm3d::detect;

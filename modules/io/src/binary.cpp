@@ -6,7 +6,7 @@
 #include <cstring>
 #include <limits>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::io {
 

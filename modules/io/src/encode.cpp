@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "binary.hpp"

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/io/file.hpp>
-#include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/weld.hpp>
 

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <tiny_obj_loader.h>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "document.hpp"
 #include "obj_lines.hpp"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::io {
 

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "support.hpp"

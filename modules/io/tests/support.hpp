@@ -10,8 +10,8 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/io.hpp>
-#include <wm3d/mesh/error.hpp>
 
 namespace wm3d::io::test {
 

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "sodium.hpp"
 

@@ -14,8 +14,9 @@
 #include <fmt/ranges.h>
 #include <sodium.h>
 
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/version.hpp>
 #include <wm3d/key/stream.hpp>
-#include <wm3d/mesh/error.hpp>
 
 #include "sodium.hpp"
 #include "utf8.hpp"
@@ -186,7 +187,7 @@ Key Key::generate(std::string name, PublicParameters parameters) {
     for (const std::string_view fault : {fault_of_name(name), fault_of_parameters(parameters)})
         if (!fault.empty())
             throw ParameterError(fmt::format("the key can't be made: {}", fault));
-    return Key(std::move(name), "wm3d " WM3D_VERSION, std::move(parameters), Secret::random());
+    return Key(std::move(name), fmt::format("wm3d {}", version()), std::move(parameters), Secret::random());
 }
 
 Key Key::parse(std::string_view text, std::string_view file_name) {

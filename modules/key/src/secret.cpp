@@ -5,7 +5,7 @@
 
 #include <sodium.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "sodium.hpp"
 

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 using namespace wm3d;
 using namespace wm3d::key;

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "fixed_secret.hpp"
 #include "stream_vectors.hpp"

@@ -6,8 +6,8 @@
 #include <span>
 #include <tuple>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d {
 

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 namespace wm3d {
 

@@ -9,9 +9,9 @@
 #include <Eigen/Geometry>
 #include <doctest/doctest.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 #include <wm3d/mesh/weld.hpp>
 
 using namespace wm3d;

@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 using namespace wm3d;
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 #include <wm3d/mesh/topology.hpp>
 
 namespace wm3d::metrics {
@@ -80,10 +80,10 @@ Report compare(const TriangleMesh& a, const TriangleMesh& b, const Options& opti
         result.vertices = compare_vertices(a, b);
     result.same_triangles = a.triangles == b.triangles;
 
-    report(progress, "distances", 0);
+    notify(progress, "distances", 0);
     const SurfaceTree tree_a(a), tree_b(b);
     result.forward = surface_distance(a, tree_b, options.samples);
-    report(progress, "distances", 0.5);
+    notify(progress, "distances", 0.5);
     result.backward = surface_distance(b, tree_a, options.samples);
     result.mrms = std::max(result.forward.rms, result.backward.rms);
     result.hausdorff = std::max(result.forward.max, result.backward.max);
@@ -93,10 +93,10 @@ Report compare(const TriangleMesh& a, const TriangleMesh& b, const Options& opti
     if (inspect_topology(a).closed() && inspect_topology(b).closed())
         result.volume_change = change_percent(enclosed_volume(a), enclosed_volume(b));
     if (options.perceptual) {
-        report(progress, "perceptual distance", 0);
+        notify(progress, "perceptual distance", 0);
         result.msdm2 = msdm2(tree_a, tree_b, options.msdm2);
     }
-    report(progress, "comparison", 1);
+    notify(progress, "comparison", 1);
     return result;
 }
 

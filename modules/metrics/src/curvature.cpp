@@ -7,7 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::metrics {
 

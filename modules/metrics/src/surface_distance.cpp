@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::metrics {
 

@@ -8,7 +8,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "closest_on_triangle.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 /// A string of gnuplot without any escapes: a quote is doubled.
 inline std::string quoted(const std::string& text) {
@@ -14,4 +14,4 @@ inline std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

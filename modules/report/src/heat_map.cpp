@@ -9,7 +9,7 @@
 
 #include "gnuplot_text.hpp"
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::string gnuplot_script(const HeatMap& map, const std::string& terminal) {
     return script + "plot NaN\n";
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

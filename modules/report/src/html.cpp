@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::string to_html(const Page& page) {
     return text + "</body>\n</html>\n";
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -9,7 +9,7 @@
 
 #include "gnuplot_text.hpp"
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::string gnuplot_script(const Plot& plot, const std::string& terminal) {
     return script + "plot " + items + "\n";
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -11,11 +11,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 extern char** environ;
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -79,4 +79,4 @@ ProcessResult run_process(const std::vector<std::string>& arguments, const std::
     return result;
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 struct ProcessResult {
     bool found = true; ///< the program is on PATH
@@ -18,4 +18,4 @@ struct ProcessResult {
 /// \throw Error  if the system lacks the means
 ProcessResult run_process(const std::vector<std::string>& arguments, const std::string& input);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "process.hpp"
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string render(const HeatMap& map, Image image) {
     return draw(gnuplot_script(map, terminal_of(image, size.width, size.height, 12)));
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

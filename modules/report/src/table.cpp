@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::string to_markdown(const Table& table) {
     return text;
 }
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-using namespace wm3d::reporting;
+using namespace wm3d::report;
 
 namespace {
 

@@ -4,9 +4,9 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
-using namespace wm3d::reporting;
+using namespace wm3d::report;
 
 namespace {
 

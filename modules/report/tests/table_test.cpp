@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-using wm3d::reporting::Table;
+using wm3d::report::Table;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "solver.hpp"
 

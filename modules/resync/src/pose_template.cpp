@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::resync {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sodium.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "template_text.hpp"
 

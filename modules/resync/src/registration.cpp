@@ -6,8 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "icp.hpp"
 
@@ -179,18 +179,18 @@ Registration register_template(const PoseTemplate& pose_template, const Triangle
                                const RegistrationOptions& options, const Progress& progress) {
     if (pose_template.points.empty())
         throw ParameterError("the pose template holds no point, so nothing can be aligned with it");
-    report(progress, "aligning", 0);
+    notify(progress, "aligning", 0);
     const Part part(suspect, options.suspect_points);
     Registration result = register_proper(pose_template, part, options);
     if (!result.aligned && options.try_mirrored) {
-        report(progress, "aligning", 0.5);
+        notify(progress, "aligning", 0.5);
         const Similarity mirror{Vec3(-1, 1, 1).asDiagonal().toDenseMatrix(), 1, Vec3::Zero()};
         Registration mirrored = register_proper(moved(pose_template, mirror), part, options);
         mirrored.transform = mirrored.transform * mirror;
         if (mirrored.aligned)
             result = mirrored;
     }
-    report(progress, "aligning", 1);
+    notify(progress, "aligning", 1);
     return result;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/resync/smoothing_trend.hpp>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/umbrella.hpp>
 #include <wm3d/resync/similarity.hpp>
 

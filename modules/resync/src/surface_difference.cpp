@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 #include "surface_contact.hpp"
 

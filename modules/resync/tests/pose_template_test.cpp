@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes/shapes.hpp>
 
 using namespace wm3d;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "fftw.hpp"
 #include "legendre.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "random_points.hpp"
 

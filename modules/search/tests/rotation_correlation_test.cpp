@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "random_points.hpp"
 

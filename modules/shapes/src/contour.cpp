@@ -8,8 +8,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::shapes {
 

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes/contour.hpp>
 
 #include "noise.hpp"

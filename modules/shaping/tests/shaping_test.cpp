@@ -6,9 +6,9 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 #include <wm3d/mesh/umbrella.hpp>
 #include <wm3d/shapes.hpp>
 

@@ -7,9 +7,9 @@
 #include <tuple>
 
 #include <fmt/format.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/parallel.hpp>
 
 namespace wm3d::simplify {
 

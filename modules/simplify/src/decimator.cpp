@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::simplify {
 
@@ -67,7 +67,7 @@ std::size_t Decimator::remove(std::size_t count, const Progress& progress) {
         if (!settle(vertex_of(top), key_of(top)))
             continue;
         if (++removed % report_every == 0)
-            report(progress, "simplify", static_cast<double>(removed) / static_cast<double>(count));
+            notify(progress, "simplify", static_cast<double>(removed) / static_cast<double>(count));
     }
     return removed;
 }

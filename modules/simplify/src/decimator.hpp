@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/simplify/observer.hpp>
 #include <wm3d/simplify/simplify.hpp>
 

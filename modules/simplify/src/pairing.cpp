@@ -5,7 +5,7 @@
 #include <atomic>
 #include <utility>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "corners.hpp"
 #include "half_edges.hpp"

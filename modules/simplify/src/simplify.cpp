@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 
 #include "canonical.hpp"
 #include "decimator.hpp"
@@ -106,7 +106,7 @@ Workplace prepare(const TriangleMesh& mesh, const Options& options) {
 
 Result run(const TriangleMesh& mesh, const Options& options, Observer* observer, const Progress& progress) {
     check(options);
-    report(progress, "simplify", 0);
+    notify(progress, "simplify", 0);
     Workplace work = prepare(mesh, options);
     std::optional<Snapshot> snapshot;
     if (observer) {
@@ -132,7 +132,7 @@ Result run(const TriangleMesh& mesh, const Options& options, Observer* observer,
     }
     if (observer)
         observer->finish(faces);
-    report(progress, "simplify", 1);
+    notify(progress, "simplify", 1);
     return result;
 }
 

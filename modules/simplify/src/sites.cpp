@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/simplify/simplify.hpp>
 
 namespace wm3d::simplify {

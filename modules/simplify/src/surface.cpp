@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "corners.hpp"
 #include "half_edges.hpp"

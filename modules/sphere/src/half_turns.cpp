@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 namespace wm3d::sphere {
 

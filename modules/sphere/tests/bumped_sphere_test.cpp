@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "directions.hpp"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/parallel.hpp>
+#include <wm3d/core/parallel.hpp>
 
 #include "directions.hpp"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
 
 #include "directions.hpp"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <doctest/doctest.h>
-#include <wm3d/mesh/error.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 

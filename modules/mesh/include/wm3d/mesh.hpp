@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The vocabulary every module speaks: meshes, measures, the canonical frame, errors, threads.
+/// \file  The vocabulary every module speaks: meshes, measures, the canonical frame.
 #pragma once
 
-#include <wm3d/mesh/error.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/neighbours.hpp>
-#include <wm3d/mesh/parallel.hpp>
-#include <wm3d/mesh/progress.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/mesh/types.hpp>

@@ -6,7 +6,7 @@
 #include <span>
 
 #include <wm3d/attack/spec.hpp>
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 
 namespace wm3d::attack {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/simplify/simplify.hpp>
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/metrics/msdm2.hpp>
 #include <wm3d/metrics/surface_distance.hpp>
 

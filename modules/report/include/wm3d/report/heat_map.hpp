@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 struct HeatCell {
     std::string text;   ///< in the cell; may be empty
@@ -39,4 +39,4 @@ HeatSize heat_map_size(const HeatMap& map);
 /// `heat_map_size`. \pre  a row and a column at least
 std::string gnuplot_script(const HeatMap& map, const std::string& terminal);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

@@ -7,7 +7,7 @@
 
 #include <wm3d/report/table.hpp>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 struct Section {
     std::string heading;
@@ -30,4 +30,4 @@ std::string to_html(const Page& page);
 /// Text with &, <, > and quotes escaped.
 std::string html_escaped(const std::string& text);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

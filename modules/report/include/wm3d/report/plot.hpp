@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 /// A point, with an interval of y if it was measured.
 struct PlotPoint {
@@ -40,4 +40,4 @@ inline constexpr int palette_size = 7;
 /// the floor ends there.
 std::string gnuplot_script(const Plot& plot, const std::string& terminal);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

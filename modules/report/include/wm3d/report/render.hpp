@@ -7,7 +7,7 @@
 #include <wm3d/report/heat_map.hpp>
 #include <wm3d/report/plot.hpp>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 enum class Image { svg, png };
 
@@ -22,4 +22,4 @@ std::string render(const Plot& plot, Image image);
 /// \throw Error, ParameterError  as for a plot
 std::string render(const HeatMap& map, Image image);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

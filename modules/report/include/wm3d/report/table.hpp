@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace wm3d::reporting {
+namespace wm3d::report {
 
 struct Table {
     std::vector<std::string> columns;           ///< headings
@@ -21,4 +21,4 @@ std::string to_csv(const Table& table);
 /// A table as GitHub reads it.
 std::string to_markdown(const Table& table);
 
-} // namespace wm3d::reporting
+} // namespace wm3d::report

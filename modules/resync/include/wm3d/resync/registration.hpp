@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/resync/pose_template.hpp>
 
 namespace wm3d::resync {

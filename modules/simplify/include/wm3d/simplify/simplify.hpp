@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <wm3d/mesh/progress.hpp>
+#include <wm3d/core/progress.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/simplify/observer.hpp>
 

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/core/parallel.hpp>
+
+#include <atomic>
+#include <cmath>
+#include <stdexcept>
+
+#include <doctest/doctest.h>
+
+using namespace wm3d;
+
+TEST_CASE("every number is visited once, whatever the block") {
+    for (std::size_t block : {1u, 3u, 7u, 100u, 1000u}) {
+        std::vector<int> visits(100, 0);
+        parallel_blocks(visits.size(), block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                ++visits[i];
+        });
+        CHECK(visits == std::vector<int>(100, 1));
+    }
+    parallel_blocks(0, 8, [](std::size_t, std::size_t) { FAIL("no block is expected"); });
+}
+
+TEST_CASE("a sum has the same bits at one thread and at many") {
+    const auto sum = [] {
+        return parallel_sum(100000, 512, 0.0, [](std::size_t begin, std::size_t end) {
+            double s = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                s += std::sin(static_cast<double>(i));
+            return s;
+        });
+    };
+    const double many = sum();
+    const ThreadLimit one(1);
+    CHECK(thread_count() == 1);
+    CHECK(sum() == many);
+}
+
+TEST_CASE("an exception in a block reaches the caller") {
+    CHECK_THROWS_AS(parallel_blocks(100, 1,
+                                    [](std::size_t begin, std::size_t) {
+                                        if (begin == 50)
+                                            throw std::runtime_error("block 50");
+                                    }),
+                    std::runtime_error);
+}
+
+TEST_CASE("a task with a loop of its own never starts inside another") {
+    std::vector<int> visits(50, 0);
+    std::atomic<int> nested = 0;
+    static thread_local bool inside = false;
+    parallel_tasks(visits.size(), [&](std::size_t i) {
+        nested += inside;
+        inside = true;
+        parallel_blocks(64, 1, [&](std::size_t, std::size_t) {
+            volatile double x = 0;
+            for (int k = 0; k < 2000; ++k)
+                x = x + k;
+        });
+        inside = false;
+        ++visits[i];
+    });
+    CHECK(visits == std::vector<int>(50, 1));
+    CHECK(nested == 0);
+}
+
+TEST_CASE("an exception in a task reaches the caller") {
+    CHECK_THROWS_AS(parallel_tasks(10,
+                                   [](std::size_t i) {
+                                       if (i == 5)
+                                           throw std::runtime_error("task 5");
+                                   }),
+                    std::runtime_error);
+}
+
+TEST_CASE("both tasks run") {
+    std::atomic<int> done = 0;
+    parallel_invoke([&] { done += 1; }, [&] { done += 2; });
+    CHECK(done == 3);
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  What a robustness bench finds: models, marks on them, and marks after attacks.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wm3d::study {
+
+/// How large a mark is made.
+struct MarkSize {
+    enum class Unit {
+        strength, ///< area-weighted RMS move along the normals, % of the box's diagonal
+        mrms,     ///< largest MRMS between the mesh and the marked mesh, % of the box's diagonal
+    };
+    Unit unit = Unit::strength;
+    double value = 0;
+
+    auto operator<=>(const MarkSize&) const = default;
+};
+
+/// "strength 0.019" or "mrms 0.02".
+std::string to_string(const MarkSize& size);
+
+/// A mesh file of the bench.
+struct BenchModel {
+    std::string fingerprint; ///< as mesh_fingerprint; empty where the file could not be read
+    std::size_t vertices = 0;
+    std::size_t triangles = 0;
+    std::string error; ///< why it could not be read or marked; else empty
+};
+
+/// Which mark.
+struct MarkName {
+    std::string model; ///< name of the file
+    MarkSize size;
+    std::size_t key = 0; ///< number of the random key
+
+    auto operator<=>(const MarkName&) const = default;
+};
+
+/// A marked mesh before anything happened to it. Lengths in % of the box's diagonal.
+struct BenchMark {
+    double strength = 0; ///< asked for, or found for a limit of MRMS
+    double gamma = 0;
+    double normal_rms = 0;
+    double mrms = 0;
+    double msdm2 = 0;
+    std::string error; ///< why the mesh can't be marked; else empty
+};
+
+/// Which attack on which mark.
+struct ItemName {
+    MarkName mark;
+    std::string attack; ///< as attack::to_string writes it
+
+    auto operator<=>(const ItemName&) const = default;
+};
+
+/// What the owner finds with the original beside the suspect.
+struct AssistedResult {
+    double log10_p = 0; ///< family-wise
+    bool aligned = false;
+    double coverage = 0; ///< part of the original that has a counterpart in the suspect
+};
+
+/// What is found in an attacked copy that was moved, turned and scaled at random.
+struct BenchItem {
+    double log10_p = 0; ///< family-wise, as verify's
+    double sigmas = 0;  ///< of the best hypothesis
+    std::size_t hypotheses = 0;
+    unsigned level = 0;
+    std::size_t pose = 0;
+    double filter_t = 0, filter_power = 0;
+    std::size_t vertices = 0;  ///< of the attacked mesh
+    std::vector<double> wrong; ///< log10 p of wrong keys, family-wise
+    std::vector<double>
+        wrong_one; ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
+    std::optional<AssistedResult> assisted;
+    double seconds = 0;
+    std::string error; ///< why there is nothing to examine; else empty
+};
+
+struct BenchResults {
+    std::vector<std::string> commands; ///< command lines that made the results, each once
+    std::map<std::string, BenchModel> models;
+    std::map<MarkName, BenchMark> marks;
+    std::map<ItemName, BenchItem> items;
+};
+
+} // namespace wm3d::study

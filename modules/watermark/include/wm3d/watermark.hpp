@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Marks on meshes, and verdicts about them.
+#pragma once
+
+#include <wm3d/watermark/alignment.hpp>
+#include <wm3d/watermark/defaults.hpp>
+#include <wm3d/watermark/examination.hpp>
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/null_keys.hpp>
+#include <wm3d/watermark/receipt.hpp>
+#include <wm3d/watermark/sequences.hpp>
+#include <wm3d/watermark/verify.hpp>

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  From a suspect and a key to a verdict.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <wm3d/detect/verdict.hpp>
+#include <wm3d/watermark/alignment.hpp>
+#include <wm3d/watermark/examination.hpp>
+
+namespace wm3d::watermark {
+
+enum class Detector { whitened, paper };
+
+struct VerifyOptions {
+    double pf = default_pf;
+    Detector detector = Detector::whitened;
+    Resync resync = Resync::pca;
+    const resync::Receipt* receipt = nullptr; ///< its frame is tried as it stands
+    bool align_receipt = false;               ///< and as registration against its template finds it
+    const TriangleMesh* reference = nullptr;  ///< align with it and look at the difference too
+    std::size_t vertices = default_vertices;
+    std::size_t null_keys = 0;   ///< random keys to score on the same mesh
+    std::uint64_t null_seed = 1; ///< which random keys
+};
+
+/// The paper's detector on this suspect, in the pose and at the level that serve it or the deciding detector
+/// best.
+struct PaperReport {
+    detect::PaperStatistics statistics;
+    double threshold = 0;     ///< eq. (6) at the verdict's P_f
+    double log10_true_pf = 0; ///< what P_f that threshold truly has on this mesh, over random keys
+    double log10_p = 0;       ///< exact, of this rho alone
+};
+
+/// What random keys score on the same mesh.
+struct NullReport {
+    std::size_t keys = 0;
+    std::size_t false_positives = 0; ///< at the verdict's P_f, by the deciding detector
+    double p_uniformity =
+        1; ///< Kolmogorov-Smirnov: how likely the exact p of random keys stray as far from uniform
+};
+
+/// Why a verdict is inconclusive.
+enum class Doubt {
+    none,
+    power,     ///< a mark of the usual strength would likely be missed here
+    alignment, ///< a registration that was asked for failed: it was not looked at where the mark would lie
+    opening,   ///< a part may have been cut off, and nothing but the suspect itself told the pose
+};
+
+/// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing.
+/// Cuts by a plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the
+/// largest hole under the base of a scan such as the Stanford bunny has 0.5 %.
+inline constexpr double tolerated_opening = 0.006;
+
+struct VerifyReport {
+    detect::Verdict verdict = detect::Verdict::inconclusive;
+    Doubt doubt = Doubt::none; ///< other than none just where the verdict is inconclusive
+    double largest_opening =
+        0; ///< area that would close the suspect's widest border, relative to its surface
+    detect::FamilyScore score;
+    unsigned level = 0; ///< of the best hypothesis
+    std::size_t pose = 0;
+    std::string pose_origin;
+    std::optional<detect::Filter> filter; ///< none with the paper's detector and where the reference decided
+    bool by_difference = false;           ///< the difference from the reference decided
+    double reference_coverage = 0;        ///< part of the reference that has a counterpart in the suspect
+    std::optional<resync::Registration> registration;
+    std::size_t base_vertices = 0;
+    double expected_sigmas = 0; ///< of a mark of the key's reference strength
+    double predicted_miss = 1;
+    PaperReport paper;
+    std::optional<NullReport> null;
+};
+
+/// Whether the key's mark is in the suspect. The verdict isn't "absent" where a registration that was asked
+/// for fails, nor where none was asked for and the suspect looks like a part of something: then its own axes
+/// aren't the mark's. \throw GeometryError   if the mesh has no area \throw ParameterError  if the receipt
+/// belongs to another key, or this build can't register
+VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options,
+                    const Progress& progress = {});
+
+} // namespace wm3d::watermark

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/examination.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/resync/hierarchical_frame.hpp>
+#include <wm3d/resync/smoothing_trend.hpp>
+#include <wm3d/sphere/half_turns.hpp>
+
+namespace wm3d::watermark {
+
+namespace {
+
+/// A suspect of fewer vertices may have been simplified with new places for its vertices.
+constexpr std::size_t coarse_vertices = 6000;
+constexpr std::size_t cell_samples = 30000;
+
+std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
+    for (Vec3& direction : directions)
+        direction = turn * direction;
+    return directions;
+}
+
+/// c of a pose that a half turn of the sphere makes of this one.
+detect::LinearStatistic permuted(const detect::LinearStatistic& statistic, std::span<const Index> turn) {
+    const std::span<const double> c = statistic.coefficients();
+    std::vector<double> moved(c.size());
+    for (std::size_t j = 0; j < c.size(); ++j)
+        moved[j] = c[turn[j]];
+    return {std::move(moved), statistic.rmax()};
+}
+
+} // namespace
+
+unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices) {
+    const int preferred = key::sequence_length(5) <= vertices ? 5 : 4;
+    const auto distance = [&](unsigned level) { return std::abs(static_cast<int>(level) - preferred); };
+    return *std::ranges::min_element(parameters.levels, {}, distance);
+}
+
+ExaminationOptions examination_options(const key::PublicParameters& parameters, std::size_t vertices) {
+    ExaminationOptions options;
+    options.vertices = vertices;
+    options.levels = parameters.levels;
+    options.rmax = parameters.rmax;
+    return options;
+}
+
+Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress) {
+    simplify::Options options;
+    options.target_vertices = vertices;
+    simplify::Result simplified = simplify::simplify(mesh, options, progress);
+    return {mesh, std::move(simplified.mesh), simplified.stop};
+}
+
+Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options, const Progress& progress)
+    : Examination(simplify_suspect(suspect, options.vertices, progress), options, progress) {}
+
+Examination::Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress)
+    : options_(std::move(options)), finest_(std::ranges::max(options_.levels)),
+      base_vertices_(suspect.base.positions.size()), diagonal_(surface_box(suspect.mesh).diagonal()),
+      stop_(suspect.stop) {
+    notify(progress, "examining the surface", 0);
+    make_poses(suspect, progress);
+    for (View& view : views_)
+        view.base = to_frame(suspect.base, view.frame);
+    gather_evidence();
+    make_family();
+    notify(progress, "examining the surface", 1);
+}
+
+void Examination::gather_evidence() {
+    // Views of nearly one scale differ in their centre alone, and that is cheap.
+    constexpr double alike = 0.1;
+    const View& first = views_.front();
+    parallel_blocks(views_.size(), 1, [&](std::size_t v, std::size_t) {
+        if (v == 0 || std::abs(views_[v].frame.scale / first.frame.scale - 1) > alike)
+            views_[v].evidence = std::make_unique<detect::Evidence>(views_[v].base, options_.evidence);
+    });
+    for (View& view : views_)
+        if (!view.evidence)
+            view.evidence = std::make_unique<detect::Evidence>(
+                first.evidence->seen_from(first.frame.to_canonical(view.frame.centroid)));
+}
+
+void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
+    const ShapeMoments moments = shape_moments(suspect.mesh);
+    for (Substance substance : moments.possible_substances()) {
+        const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, suspect.base, substance,
+                                                                      moments.of(substance), {}, progress);
+        for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
+            add_pose(candidate);
+        for (const resync::CandidatePose& before :
+             resync::frames_before_smoothing(suspect.mesh, estimate.finest, substance))
+            for (const Frame& choice : sign_choices(before.frame))
+                add_pose({choice, before.origin});
+    }
+}
+
+void Examination::make_poses(const Suspect& suspect, const Progress& progress) {
+    if (options_.resync == Resync::none)
+        add_pose({canonical_frame(suspect.mesh), "canonical frame"});
+    if (options_.resync == Resync::pca)
+        add_principal_poses(suspect, progress);
+    for (const resync::CandidatePose& candidate : options_.poses)
+        add_pose(candidate);
+    if (poses_.empty())
+        throw ParameterError(
+            "there is no pose to examine the suspect in; give a receipt or a reference, or let the "
+            "suspect's own axes tell it");
+}
+
+void Examination::add_pose(const resync::CandidatePose& candidate) {
+    const Frame& frame = candidate.frame;
+    const auto shares_centre_and_scale = [&](const View& view) {
+        return view.frame.centroid == frame.centroid && view.frame.scale == frame.scale;
+    };
+    const auto found = std::ranges::find_if(views_, shares_centre_and_scale);
+    Pose pose{candidate, static_cast<std::size_t>(found - views_.begin()), Mat3::Identity()};
+    if (found == views_.end())
+        views_.push_back({frame, {}, nullptr});
+    pose.turn = frame.axes * views_[pose.view].frame.axes.transpose();
+    poses_.push_back(std::move(pose));
+}
+
+std::vector<sphere::SparseRows> Examination::rows(std::size_t pose, std::span<const unsigned> levels) const {
+    return sphere::barycentric_rows(finest_, turned(view(pose).base.positions, poses_[pose].turn), levels);
+}
+
+sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
+    return std::move(rows(pose, std::span(&level, 1)).front());
+}
+
+void Examination::make_family() {
+    const std::vector<Leader> leaders = leading_poses();
+    std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
+    parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
+        if (leaders[pose].pose != pose)
+            return;
+        add_hypotheses(of_pose[pose], pose, nullptr);
+        if (base_vertices_ >= coarse_vertices)
+            return;
+        const detect::CellSamples samples(view(pose).base, cell_samples);
+        add_hypotheses(of_pose[pose], pose, &samples);
+    });
+    std::optional<std::array<std::vector<Index>, 3>> turns; // not needed by a receipt's pose alone
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+        const Leader& leader = leaders[pose];
+        if (leader.pose == pose)
+            continue;
+        if (!turns)
+            turns = sphere::half_turns(finest_);
+        for (const detect::Hypothesis& h : of_pose[leader.pose])
+            of_pose[pose].push_back(
+                {permuted(h.statistic, (*turns)[leader.axis]), h.level, pose, h.filter, h.cells});
+    }
+    for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
+        std::ranges::move(hypotheses, std::back_inserter(family_));
+}
+
+/// The choices of axis signs of a frame differ by half turns of the sphere, which only change places of its
+/// vertices.
+std::vector<Examination::Leader> Examination::leading_poses() const {
+    std::vector<Leader> leaders;
+    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+        Leader leader{pose, 0};
+        for (std::size_t other = 0; other < pose && leader.pose == pose; ++other) {
+            if (poses_[other].view != poses_[pose].view || leaders[other].pose != other)
+                continue;
+            if (const auto axis = sphere::half_turn_axis(poses_[pose].turn * poses_[other].turn.transpose()))
+                leader = {other, static_cast<std::size_t>(*axis)};
+        }
+        leaders.push_back(leader);
+    }
+    return leaders;
+}
+
+void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
+                                 const detect::CellSamples* samples) const {
+    const std::vector<Vec3>& places = samples ? samples->positions() : view(pose).base.positions;
+    const std::vector<sphere::SparseRows> of_level =
+        sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), options_.levels);
+    const detect::Evidence& seen = evidence(pose);
+    for (std::size_t l = 0; l < of_level.size(); ++l)
+        for (std::size_t f = 0; f < seen.filters(); ++f)
+            hypotheses.push_back({samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
+                                          : seen.statistic(f, of_level[l], options_.rmax),
+                                  options_.levels[l], pose, f, samples != nullptr});
+}
+
+double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,
+                                    std::optional<std::size_t> filter) const {
+    const double move = strength / 100 * diagonal_ / view(pose).frame.scale;
+    const detect::Evidence& seen = evidence(pose);
+    const sphere::SparseRows weights = rows(pose, level);
+    const std::span<const double> w = sequences(level);
+    std::vector<double> sigmas(filter ? 1 : seen.filters());
+    parallel_blocks(sigmas.size(), 1, [&](std::size_t k, std::size_t) {
+        sigmas[k] = seen.expected_sigmas(filter.value_or(k), weights, w, options_.rmax, move);
+    });
+    return *std::ranges::max_element(sigmas);
+}
+
+double Examination::gamma(Sequences& sequences, unsigned level, double strength, std::size_t pose) const {
+    return evidence(pose).gamma(rows(pose, level), sequences(level),
+                                strength / 100 * diagonal_ / view(pose).frame.scale);
+}
+
+std::vector<double> Examination::radii(std::size_t pose) const {
+    const std::vector<Vec3>& positions = view(pose).base.positions;
+    std::vector<double> r(positions.size());
+    std::ranges::transform(positions, r.begin(), [](const Vec3& p) { return p.norm(); });
+    return r;
+}
+
+} // namespace wm3d::watermark

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/verify.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include <fmt/format.h>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/detect/tail.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/topology.hpp>
+#include <wm3d/watermark/null_keys.hpp>
+
+namespace wm3d::watermark {
+
+namespace {
+
+/// The paper's statistic in every pose and at every level, as a family of its own.
+std::vector<detect::Hypothesis> paper_family(const Examination& suspect) {
+    std::vector<detect::Hypothesis> family;
+    for (std::size_t pose = 0; pose < suspect.poses(); ++pose)
+        for (unsigned level : suspect.options().levels)
+            family.push_back({detect::paper_statistic(suspect.radii(pose), suspect.rows(pose, level),
+                                                      suspect.options().rmax),
+                              level, pose, 0});
+    return family;
+}
+
+PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned level, Sequences& sequences,
+                         double pf) {
+    const std::vector<double> radii = suspect.radii(pose);
+    const sphere::SparseRows rows = suspect.rows(pose, level);
+    PaperReport report;
+    report.statistics = detect::paper_statistics(radii, sphere::multiply(rows, sequences(level)));
+    const detect::PaperStatistics& s = report.statistics;
+    report.threshold = detect::threshold(pf, s.n, s.sigma_r2, s.delta_mean_square, s.delta_mean, s.mu_r);
+    const detect::LinearStatistic linear = detect::paper_statistic(radii, rows, suspect.options().rmax);
+    report.log10_true_pf = detect::log10_true_pf(linear, s, pf);
+    report.log10_p = detect::exact_tail(linear, s.rho - s.mu_r * s.delta_mean).log10_p;
+    return report;
+}
+
+void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key,
+                     Sequences& sequences, const VerifyOptions& options) {
+    // Where the mark is found, the power only illustrates: the filter that found it is enough.
+    std::optional<std::size_t> filter;
+    if (report.score.log10_p <= std::log10(options.pf) &&
+        report.score.best.hypothesis < suspect.family().size())
+        filter = suspect.family()[report.score.best.hypothesis].filter;
+    report.expected_sigmas =
+        suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
+                                key.parameters().reference_strength, 0, filter);
+    report.predicted_miss =
+        detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);
+    report.verdict = detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);
+}
+
+/// Eq. (6) word for word. Its own prediction, eq. (5), says whether "absent" can be said.
+void decide_paper(VerifyReport& report, const Examination& suspect, const key::Key& key, Sequences& sequences,
+                  const VerifyOptions& options) {
+    const detect::PaperStatistics& s = report.paper.statistics;
+    const double gamma = suspect.gamma(sequences, report.level, key.parameters().reference_strength);
+    report.predicted_miss =
+        detect::miss_probability(gamma, s.n, s.delta_mean_square, std::sqrt(s.sigma_r2), options.pf);
+    if (s.rho > report.paper.threshold)
+        report.verdict = detect::Verdict::present;
+    else
+        report.verdict =
+            report.predicted_miss <= 0.01 ? detect::Verdict::absent : detect::Verdict::inconclusive;
+}
+
+/// The hypotheses of a verdict: those of the suspect alone and, with a reference, of the difference.
+struct Hypotheses {
+    Examination suspect;
+    std::vector<detect::Hypothesis> family;
+    std::optional<resync::Registration> registration;
+    double reference_coverage = 0;
+};
+
+void require_own_receipt(const resync::Receipt& receipt, const key::Key& key) {
+    if (receipt.key_commitment != key.commitment())
+        throw ParameterError(
+            fmt::format("the receipt was written for key {} and not for key {}; give the receipt of "
+                        "this key's mark",
+                        receipt.key_name, key.fingerprint()));
+}
+
+Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOptions& options,
+                      const Progress& progress) {
+    ExaminationOptions examination = examination_options(key.parameters(), options.vertices);
+    examination.resync = options.resync;
+    std::optional<resync::Registration> registration;
+    std::optional<ReferenceView> reference;
+    const auto take = [&](const KnownPose& known) {
+        examination.poses.insert(examination.poses.end(), known.poses.begin(), known.poses.end());
+        if (known.registration)
+            registration = known.registration;
+    };
+    if (options.receipt) {
+        require_own_receipt(*options.receipt, key);
+        take(pose_by_receipt(*options.receipt, mesh, options.align_receipt, progress));
+    }
+    if (options.reference) {
+        reference = compare_with_reference(*options.reference, mesh, progress);
+        take(reference->known);
+    }
+    if (examination.resync == Resync::icp && examination.poses.empty())
+        examination.resync = Resync::pca; // registration failed: the suspect's own axes are all there is
+    Hypotheses result{Examination(mesh, examination, progress), {}, registration, 0};
+    const Examination& suspect = result.suspect;
+    result.family = options.detector == Detector::paper
+                        ? paper_family(suspect)
+                        : std::vector<detect::Hypothesis>(suspect.family().begin(), suspect.family().end());
+    if (reference) {
+        result.reference_coverage = reference->difference.covered;
+        if (options.detector == Detector::whitened)
+            std::ranges::move(reference_family(*reference, suspect), std::back_inserter(result.family));
+    }
+    return result;
+}
+
+/// The widest border's area over the whole surface's.
+double largest_opening(const TriangleMesh& mesh) {
+    double largest = 0;
+    for (const BorderLoop& loop : border_loops(mesh))
+        largest = std::max(largest, loop.opening.norm());
+    return largest / surface_area(mesh);
+}
+
+/// What keeps a report whose verdict is not "present" from saying "absent".
+Doubt doubt(const VerifyReport& report) {
+    if (report.verdict == detect::Verdict::present)
+        return Doubt::none;
+    if (report.registration && !report.registration->aligned)
+        return Doubt::alignment;
+    if (report.verdict == detect::Verdict::inconclusive)
+        return Doubt::power;
+    return !report.registration && report.largest_opening > tolerated_opening ? Doubt::opening : Doubt::none;
+}
+
+void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
+            const VerifyOptions& options) {
+    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
+    if (options.detector == Detector::paper) {
+        decide_paper(report, all.suspect, key, sequences, options);
+    } else {
+        report.by_difference = best.filter == all.suspect.evidence().filters();
+        if (!report.by_difference)
+            report.filter = all.suspect.evidence().filter(best.filter);
+        decide_whitened(report, all.suspect, key, sequences, options);
+    }
+    report.doubt = doubt(report);
+    if (report.doubt != Doubt::none)
+        report.verdict = detect::Verdict::inconclusive;
+}
+
+} // namespace
+
+VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
+                    const Progress& progress) {
+    const Hypotheses all =
+        hypotheses(simplify_suspect(mesh, options.vertices, progress), key, options, progress);
+    Sequences sequences(key.secret(), key.parameters().rmax);
+
+    VerifyReport report;
+    report.base_vertices = all.suspect.base_vertices();
+    report.registration = all.registration;
+    report.reference_coverage = all.reference_coverage;
+    report.largest_opening = largest_opening(mesh);
+    report.score = detect::score_family(all.family, sequences.function());
+    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
+    report.level = best.level;
+    report.pose = best.pose;
+    report.pose_origin = all.suspect.pose(best.pose).origin;
+    report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
+    decide(report, all, key, sequences, options);
+    if (options.null_keys > 0)
+        report.null = score_null_keys(all.family, all.suspect.options().rmax, options.pf, options.null_keys,
+                                      options.null_seed, progress);
+    return report;
+}
+
+} // namespace wm3d::watermark
