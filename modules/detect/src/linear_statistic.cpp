@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace wm3d::detect {
 
@@ -24,16 +25,26 @@ Cumulants uniform_cumulants(double x) {
     return {a + std::log(sinh_e / a), x < 0 ? -k1 : k1, 1 / x2 - e / (sinh_e * sinh_e)};
 }
 
+/// Terms of K, K' and K'' for x = s a: log cosh x, tanh x, 1 - tanh^2 x.
+Cumulants sign_cumulants(double x) {
+    const double a = std::abs(x);
+    const double e = std::exp(-2 * a);
+    const double tanh = -std::expm1(-2 * a) / (1 + e);
+    // Near 0 log cosh is x^2 / 2, which the general form loses in a difference.
+    const double k0 = a < 1e-4 ? x * x / 2 : a + std::log1p(e) - std::numbers::ln2;
+    return {k0, x < 0 ? -tanh : tanh, 4 * e / ((1 + e) * (1 + e))};
+}
+
 } // namespace
 
-LinearStatistic::LinearStatistic(std::vector<double> coefficients, double rmax)
-    : coefficients_(std::move(coefficients)), rmax_(rmax) {
+LinearStatistic::LinearStatistic(std::vector<double> coefficients, double rmax, Law law)
+    : coefficients_(std::move(coefficients)), rmax_(rmax), law_(law) {
     double squares = 0;
     for (double c : coefficients_) {
         squares += c * c;
         maximum_ += rmax_ * std::abs(c);
     }
-    sigma_ = rmax_ * std::sqrt(squares / 3);
+    sigma_ = rmax_ * std::sqrt(law_ == Law::uniform ? squares / 3 : squares);
 }
 
 double LinearStatistic::value(std::span<const double> w) const {
@@ -52,7 +63,8 @@ Cumulants cumulants(const LinearStatistic& statistic, double s) {
     Cumulants sum;
     for (double c : statistic.coefficients()) {
         const double a = statistic.rmax() * c;
-        const Cumulants term = uniform_cumulants(s * a);
+        const Cumulants term =
+            statistic.law() == Law::uniform ? uniform_cumulants(s * a) : sign_cumulants(s * a);
         sum.k0 += term.k0;
         sum.k1 += a * term.k1;
         sum.k2 += a * a * term.k2;

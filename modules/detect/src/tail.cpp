@@ -57,26 +57,29 @@ double saddlepoint_log_tail(const LinearStatistic& statistic, double t) {
     return log_phi + std::log(mills + 1 / u - 1 / r);
 }
 
-/// Ratio exp(K(s + iy) - K(s)) as a product of the factors sinh(x_j)/x_j.
+/// Ratio exp(K(s + iy) - K(s)), a product: of the factors sinh(x_j)/x_j for uniform numbers, cosh(x_j) for
+/// signs.
 class ShiftedCharacteristic {
 public:
-    ShiftedCharacteristic(const LinearStatistic& statistic, double s) : s_(s) {
+    ShiftedCharacteristic(const LinearStatistic& statistic, double s)
+        : s_(s), uniform_(statistic.law() == Law::uniform) {
         for (double c : statistic.coefficients()) {
             const double a = statistic.rmax() * std::abs(c);
             if (a * s < 1e-9 && a < 1e-12 * statistic.sigma())
                 continue; // its factor is 1 to double precision
             scale_.push_back(a);
-            coth_.push_back(1 / std::tanh(a * s));
+            slope_.push_back(uniform_ ? 1 / std::tanh(a * s) : std::tanh(a * s));
         }
     }
 
     std::complex<double> operator()(double y) const {
-        const std::complex<double> inverse = 1.0 / std::complex<double>(1, y / s_);
+        const std::complex<double> inverse =
+            uniform_ ? 1.0 / std::complex<double>(1, y / s_) : std::complex<double>(1);
         double re = 1, im = 0;
         for (std::size_t j = 0; j < scale_.size(); ++j) {
-            // sinh(u + iv) / sinh u * u / (u + iv), u = a s, v = a y
+            // u = a s, v = a y: sinh(u + iv) / sinh u * u / (u + iv), or cosh(u + iv) / cosh u
             const double v = scale_[j] * y;
-            const double x = std::cos(v), w = std::sin(v) * coth_[j];
+            const double x = std::cos(v), w = std::sin(v) * slope_[j];
             const double fx = x * inverse.real() - w * inverse.imag();
             const double fw = x * inverse.imag() + w * inverse.real();
             const double next = re * fx - im * fw;
@@ -88,7 +91,8 @@ public:
 
 private:
     double s_;
-    std::vector<double> scale_, coth_;
+    bool uniform_;
+    std::vector<double> scale_, slope_;
 };
 
 struct Integral {

@@ -41,6 +41,21 @@ TEST_CASE("the derivatives agree with differences, on both sides of the switch t
     CHECK(below.k2 == doctest::Approx(above.k2).epsilon(1e-11));
 }
 
+TEST_CASE("the cumulants of signs") {
+    const LinearStatistic t({3, -4}, 0.5, Law::sign);
+    CHECK(t.sigma() == doctest::Approx(0.5 * 5));
+    for (double s : {1e-6, 4e-5, 1e-4, 0.5, 3.0, 40.0}) {
+        const Cumulants k = cumulants(t, s);
+        const double a = 1.5 * s, b = 2.0 * s;
+        const double small = b < 0.01 ? 1e-7 : 1e-13; // log cosh itself cancels
+        CHECK(k.k0 == doctest::Approx(std::log(std::cosh(a)) + std::log(std::cosh(b))).epsilon(small));
+        CHECK(k.k1 == doctest::Approx(1.5 * std::tanh(a) + 2 * std::tanh(b)).epsilon(1e-13));
+        CHECK(
+            k.k2 ==
+            doctest::Approx(std::pow(1.5 / std::cosh(a), 2) + std::pow(2 / std::cosh(b), 2)).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("large arguments don't overflow") {
     const LinearStatistic t({1.0, 1e-3}, 1.0);
     const Cumulants k = cumulants(t, 1e6);

@@ -112,3 +112,39 @@ TEST_CASE("a quantile close to the largest value of few terms is found") {
         }
     }
 }
+
+TEST_CASE("the tail of a sum of signs is the count of the sign choices that reach it") {
+    std::vector<double> c;
+    for (int j = 0; j < 20; ++j)
+        c.push_back(1 + 0.37 * std::sin(1.0 + 5.3 * j));
+    const LinearStatistic t(c, 0.5, Law::sign);
+    std::vector<double> values;
+    for (unsigned choice = 0; choice < 1u << 20; ++choice) {
+        double sum = 0;
+        for (unsigned j = 0; j < 20; ++j)
+            sum += (choice >> j & 1 ? 0.5 : -0.5) * c[j];
+        values.push_back(sum);
+    }
+    for (double z : {0.5, 1.5, 2.5, 3.2}) {
+        const double at = z * t.sigma();
+        const auto reached = std::count_if(values.begin(), values.end(), [&](double v) { return v >= at; });
+        const double counted = std::log10(static_cast<double>(reached) / static_cast<double>(values.size()));
+        const Tail tail = exact_tail(t, at);
+        if (tail.bound) // so few signs are still steps
+            CHECK(tail.log10_p >= counted);
+        else
+            CHECK(tail.log10_p == doctest::Approx(counted).epsilon(1e-3));
+        CHECK(saddlepoint_log10_tail(t, at) == doctest::Approx(counted).epsilon(2e-2));
+    }
+}
+
+TEST_CASE("sums of many signs: exact, fast and bounded forms agree") {
+    const LinearStatistic uniform = uneven_terms();
+    const LinearStatistic t({uniform.coefficients().begin(), uniform.coefficients().end()}, 0.1, Law::sign);
+    for (double z : {0.5, 3.0, 10.0, 30.0}) {
+        const Tail exact = exact_tail(t, z * t.sigma());
+        REQUIRE_FALSE(exact.bound);
+        CHECK(std::abs(saddlepoint_log10_tail(t, z * t.sigma()) - exact.log10_p) < 1e-3);
+        CHECK(chernoff_log10_bound(t, z * t.sigma()) >= exact.log10_p);
+    }
+}

@@ -7,21 +7,30 @@
 
 namespace wm3d::detect {
 
-/// T = sum c_j w_j with fixed c_j and independent w_j, uniform in (-rmax, rmax). The coefficients come from
-/// the suspect alone; if the key is secret and random, nothing about the suspect has to be assumed to know
-/// how T is distributed.
+/// How a number of a keyed sequence is distributed over random keys.
+enum class Law {
+    uniform, ///< on (-height, height): the watermark sequence
+    sign,    ///< -height or height, equally likely: carriers of payloads and recipients
+};
+
+/// T = sum c_j w_j with fixed c_j and independent w_j of one law. The coefficients come from the suspect
+/// alone; if the key is secret and random, nothing about the suspect has to be assumed to know how T is
+/// distributed.
 class LinearStatistic {
 public:
+    /// \param rmax  height of the numbers
     /// \pre  rmax > 0
-    LinearStatistic(std::vector<double> coefficients, double rmax);
+    LinearStatistic(std::vector<double> coefficients, double rmax, Law law = Law::uniform);
 
     std::span<const double> coefficients() const { return coefficients_; }
     double rmax() const { return rmax_; }
+    Law law() const { return law_; }
 
     /// T for the sequence w, #c.
     double value(std::span<const double> w) const;
 
-    /// Standard deviation of T over random keys: rmax sqrt(sum c_j^2 / 3). Zero if the suspect says nothing.
+    /// Standard deviation of T over random keys: rmax sqrt(sum c_j^2 / 3), for signs rmax sqrt(sum c_j^2).
+    /// Zero if the suspect says nothing.
     double sigma() const { return sigma_; }
 
     /// Largest value T can take: rmax sum |c_j|.
@@ -30,12 +39,13 @@ public:
 private:
     std::vector<double> coefficients_;
     double rmax_;
+    Law law_;
     double sigma_ = 0;
     double maximum_ = 0;
 };
 
-/// Cumulant generating function K(s) = sum log(sinh(s rmax c_j) / (s rmax c_j)) and its first two
-/// derivatives.
+/// Cumulant generating function and its first two derivatives: K(s) = sum log(sinh(x_j) / x_j) with
+/// x_j = s rmax c_j, for signs sum log cosh(x_j).
 struct Cumulants {
     double k0 = 0;
     double k1 = 0;
