@@ -24,6 +24,8 @@ std::string_view purpose_text(Purpose purpose) {
         return "wm3d/1 stream watermark";
     case Purpose::payload:
         return "wm3d/1 stream payload";
+    case Purpose::recipient:
+        return "wm3d/1 stream recipient";
     case Purpose::trial:
         return "wm3d/1 stream trial";
     }
@@ -81,6 +83,12 @@ void Stream::fill_symmetric(std::span<double> numbers, double scale) {
                  [&](std::size_t i, std::uint64_t word) { out[i] = scale * symmetric_unit(word); });
     });
     position_ += numbers.size();
+}
+
+std::uint64_t index_of(std::string_view label) {
+    std::array<std::uint8_t, 16> digest; // BLAKE2b offers no shorter one
+    blake2b(digest, bytes_of(label), bytes_of("wm3d/1 label"));
+    return read_word(digest.data());
 }
 
 std::vector<double> watermark_sequence(const Secret& secret, unsigned level, double rmax) {

@@ -35,6 +35,11 @@ TEST_CASE("streams are those of the independent generator, for every purpose and
         CHECK(words(vector.purpose, vector.index, vector.position + 1).back() == vector.word);
 }
 
+TEST_CASE("a label's index is that of the independent generator") {
+    for (const LabelVector& vector : label_vectors)
+        CHECK(index_of(vector.label) == vector.index);
+}
+
 TEST_CASE("watermark sequences are those of the independent generator, at every level") {
     for (unsigned level = 0; level <= max_level; ++level) {
         const std::vector<double> w = watermark_sequence(fixed_secret(), level, 0.1);

@@ -66,7 +66,7 @@ def main():
              "    std::uint64_t index, position, word;", "};", "",
              "inline constexpr WordVector word_vectors[] = {"]
     positions = (0, 1, 7, 8, 511, 512, 65535, 65536, 200003)
-    for purpose in ("watermark", "payload", "trial"):
+    for purpose in ("watermark", "payload", "recipient", "trial"):
         for index in (0, 1, 5, 2**64 - 1):
             for position in positions:
                 value = word(SECRET, purpose, index, position)
@@ -82,6 +82,11 @@ def main():
               "inline constexpr NullVector null_vectors[] = {"]
     for seed, number in ((0, 0), (0, 1), (1, 0), (7, 123456789), (2**64 - 1, 2**64 - 1)):
         lines.append(f'    {{{seed}u, {number}u, "{null_secret(seed, number).hex()}"}},')
+    lines += ["};", "", "struct LabelVector {", "    const char* label;", "    std::uint64_t index;", "};", "",
+              "inline constexpr LabelVector label_vectors[] = {"]
+    for label in ("", "a", "work and name"):
+        digest = hashlib.blake2b(label.encode(), key=b"wm3d/1 label", digest_size=16).digest()
+        lines.append(f'    {{"{label}", 0x{struct.unpack_from("<Q", digest)[0]:016x}u}},')
     lines += ["};", "", f'inline constexpr const char* fingerprint_vector = "{public(SECRET, "fingerprint", 16)[:16]}";',
               f'inline constexpr const char* commitment_vector =\n    "{public(SECRET, "commitment", 32)}";', ""]
     target = pathlib.Path(__file__).resolve().parent.parent / "stream_vectors.hpp"

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <wm3d/key/secret.hpp>
@@ -18,6 +19,7 @@ namespace wm3d::key {
 enum class Purpose {
     watermark, ///< W of section 2.2.1; the stream's index is the subdivision level
     payload,   ///< spreading of a readable payload
+    recipient, ///< signs that tell copies apart; the stream's index is `index_of` what the copy is
     trial,     ///< choices of experiments; never part of a mark
 };
 
@@ -49,6 +51,9 @@ private:
     std::array<std::uint8_t, 8> nonce_;
     std::uint64_t position_ = 0; ///< words that were handed out
 };
+
+/// 64 bits of the BLAKE2b hash of a public label, for streams that belong to something with a name.
+std::uint64_t index_of(std::string_view label);
 
 /// Finest subdivision level a watermark sequence is made for.
 inline constexpr unsigned max_level = 9;
