@@ -96,7 +96,7 @@ std::vector<double> copy_scores(const key::Secret& secret, const detect::LinearS
         return scores;
     const ByteSums sums(statistic.coefficients());
     for (std::size_t first = 0; first < numbers.size(); first += stretch) {
-        report(progress, "comparing with the copies",
+        notify(progress, "comparing with the copies",
                static_cast<double>(first) / static_cast<double>(numbers.size()));
         parallel_blocks(std::min(stretch, numbers.size() - first), block,
                         [&](std::size_t begin, std::size_t end) {
@@ -106,7 +106,7 @@ std::vector<double> copy_scores(const key::Secret& secret, const detect::LinearS
     }
     for (double& score : scores)
         score /= std::sqrt(squares);
-    report(progress, "comparing with the copies", 1);
+    notify(progress, "comparing with the copies", 1);
     return scores;
 }
 
