@@ -137,7 +137,7 @@ Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) c
     Trial trial;
     trial.number = number;
     trial.gamma = marked.gamma;
-    trial.distortion = percent(marked.distortion, marked.diagonal);
+    trial.distortion = watermark::percent(marked.distortion, marked.diagonal);
     trial.log10_p = detect::score_family(suspect.family(), sequences.function()).log10_p;
     const std::size_t pose = true_pose(suspect);
     separate_mark(trial, statistics_of(suspect, pose, setting_.level), host_, sequences(setting_.level));
