@@ -42,7 +42,7 @@ public:
                          {level_, setting_.parameters.rmax, strength, std::nullopt, setting_.profile});
         figures.strength = strength;
         figures.gamma = marked.gamma;
-        figures.normal_rms = percent(marked.distortion, marked.diagonal).normal_rms;
+        figures.normal_rms = watermark::percent(marked.distortion, marked.diagonal).normal_rms;
         return {marked.positions, mesh_.triangles};
     }
 
