@@ -12,7 +12,7 @@ namespace wm3d::io {
 
 namespace {
 
-constexpr std::size_t block = 16384;
+constexpr std::size_t element_block = 16384;
 
 /// Calls f with a value of the C++ type of `type`.
 template<typename F>
@@ -94,6 +94,11 @@ void save(char* at, Scalar type, bool swap, double value) {
     });
 }
 
+void put(std::string& out, Scalar type, double value) {
+    out.resize(out.size() + size_of(type));
+    save(out.data() + out.size() - size_of(type), type, swaps(std::endian::little), value);
+}
+
 double nearest(Scalar type, double value) {
     return with_type(type, [&](auto t) { return static_cast<double>(to_nearest<decltype(t)>(value)); });
 }
@@ -131,7 +136,7 @@ double BinaryStore::step(const Welding& welding) const {
 std::vector<Vec3> BinaryStore::settle(const Welding& welding, std::span<const Vec3> wanted) const {
     const std::vector<Vec3>& old = welding.mesh.positions;
     std::vector<Vec3> settled = old;
-    parallel_blocks(old.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(old.size(), element_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             for (int k = 0; k < 3; ++k)
                 if (wanted[v][k] != old[v][k])

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,9 @@ void save(char* at, Scalar type, bool swap, double value);
 double nearest(Scalar type, double value);
 /// Distance of neighbouring values near `magnitude`.
 double step_near(Scalar type, double magnitude);
+
+/// Appends the number as a little-endian file stores it.
+void put(std::string& out, Scalar type, double value);
 
 constexpr bool swaps(std::endian file) {
     return file != std::endian::native;

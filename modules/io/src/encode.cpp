@@ -18,13 +18,6 @@ namespace wm3d::io {
 
 namespace {
 
-constexpr bool swap = swaps(std::endian::little);
-
-void put(std::string& out, Scalar type, double value) {
-    out.resize(out.size() + size_of(type));
-    save(out.data() + out.size() - size_of(type), type, swap, value);
-}
-
 void put_number(std::string& out, double value) {
     char text[40];
     out.append(text, std::to_chars(text, text + sizeof text, value).ptr);

@@ -12,14 +12,7 @@ namespace wm3d::io {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr bool swap = swaps(std::endian::little);
-
-void put(std::string& out, Scalar type, double value) {
-    out.resize(out.size() + size_of(type));
-    save(out.data() + out.size() - size_of(type), type, swap, value);
-}
+using OrderedJson = nlohmann::ordered_json;
 
 /// Vertices of the asset: those of the mesh, or one per corner where faces have colours of their own.
 struct Vertices {
@@ -48,11 +41,11 @@ Vertices corner_vertices(const TriangleMesh& mesh, const EncodeOptions& options)
     return vertices;
 }
 
-Json bounds(const TriangleMesh& mesh, const Vertices& vertices, bool least) {
+OrderedJson bounds(const TriangleMesh& mesh, const Vertices& vertices, bool least) {
     Vec3 bound = mesh.positions[vertices.position.front()];
     for (Index v : vertices.position)
         bound = least ? bound.cwiseMin(mesh.positions[v]).eval() : bound.cwiseMax(mesh.positions[v]).eval();
-    Json array = Json::array();
+    OrderedJson array = OrderedJson::array();
     for (int k = 0; k < 3; ++k)
         array.push_back(nearest(Scalar::f32, bound[k]));
     return array;
@@ -61,10 +54,10 @@ Json bounds(const TriangleMesh& mesh, const Vertices& vertices, bool least) {
 /// Collects buffer views and accessors while the buffer grows.
 struct Builder {
     std::string buffer;
-    Json views = Json::array(), accessors = Json::array();
+    OrderedJson views = OrderedJson::array(), accessors = OrderedJson::array();
 
     /// Declares what was appended since `begin`. \return the accessor's number
-    std::size_t declare(std::size_t begin, int target, Json accessor) {
+    std::size_t declare(std::size_t begin, int target, OrderedJson accessor) {
         views.push_back({{"buffer", 0},
                          {"byteOffset", begin},
                          {"byteLength", buffer.size() - begin},
@@ -75,14 +68,14 @@ struct Builder {
     }
 };
 
-Json build_asset(const TriangleMesh& mesh, const Vertices& vertices, const EncodeOptions& options,
-                 Builder& builder) {
+OrderedJson build_asset(const TriangleMesh& mesh, const Vertices& vertices, const EncodeOptions& options,
+                        Builder& builder) {
     constexpr int array_buffer = 34962, element_array_buffer = 34963;
-    Json primitive{{"attributes", Json::object()}};
+    OrderedJson primitive{{"attributes", OrderedJson::object()}};
     for (Index v : vertices.position)
         for (int k = 0; k < 3; ++k)
             put(builder.buffer, Scalar::f32, mesh.positions[v][k]);
-    Json positions{{"componentType", 5126}, {"count", vertices.position.size()}, {"type", "VEC3"}};
+    OrderedJson positions{{"componentType", 5126}, {"count", vertices.position.size()}, {"type", "VEC3"}};
     if (!vertices.position.empty()) {
         positions["min"] = bounds(mesh, vertices, true);
         positions["max"] = bounds(mesh, vertices, false);
@@ -113,10 +106,10 @@ Json build_asset(const TriangleMesh& mesh, const Vertices& vertices, const Encod
         {"scene", 0},
         {"scenes", {{{"nodes", {0}}}}},
         {"nodes", {{{"mesh", 0}}}},
-        {"meshes", {{{"primitives", Json::array({std::move(primitive)})}}}},
+        {"meshes", {{{"primitives", OrderedJson::array({std::move(primitive)})}}}},
         {"accessors", builder.accessors},
         {"bufferViews", builder.views},
-        {"buffers", Json::array({{{"byteLength", builder.buffer.size()}}})}};
+        {"buffers", OrderedJson::array({{{"byteLength", builder.buffer.size()}}})}};
 }
 
 void put_chunk(std::string& out, std::string_view type, std::string_view data, char padding) {
@@ -132,7 +125,7 @@ std::string encode_gltf(const TriangleMesh& mesh, const EncodeOptions& options, 
     const Vertices vertices =
         options.face_colors.empty() ? shared_vertices(mesh, options) : corner_vertices(mesh, options);
     Builder builder;
-    Json asset = build_asset(mesh, vertices, options, builder);
+    OrderedJson asset = build_asset(mesh, vertices, options, builder);
     if (!binary) {
         asset["buffers"][0]["uri"] = "data:application/octet-stream;base64," + to_base64(builder.buffer);
         return asset.dump(1) + "\n";

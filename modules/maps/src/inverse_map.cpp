@@ -20,10 +20,6 @@ Corners corners_of(const TriangleMesh& mesh, Index t) {
     return {mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]};
 }
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-
 /// Barycentric coordinates in the plane; false if the triangle has no area.
 bool planar_coordinates(const Vec2& p, const std::array<Vec2, 3>& t, Vec3& coordinates) {
     const Vec2 e1 = t[1] - t[0], e2 = t[2] - t[0], d = p - t[0];

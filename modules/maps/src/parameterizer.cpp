@@ -11,10 +11,6 @@ namespace {
 /// Coordinates smaller than this are rounding.
 constexpr double negligible = 1e-13;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a[0] * b[1] - a[1] * b[0];
-}
-
 Index next_corner(Index c) {
     return c % 3 == 2 ? c - 2 : c + 1;
 }

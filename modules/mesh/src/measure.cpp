@@ -7,7 +7,7 @@ namespace wm3d {
 
 namespace {
 
-constexpr std::size_t block = 16384;
+constexpr std::size_t measure_block = 16384;
 
 void extend(Box& box, const Vec3& p) {
     box.min = box.min.cwiseMin(p);
@@ -44,7 +44,7 @@ Vec3 area_vector(const TriangleMesh& mesh, std::size_t f) {
 
 std::vector<double> triangle_areas(const TriangleMesh& mesh) {
     std::vector<double> areas(mesh.triangles.size());
-    parallel_blocks(areas.size(), block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(areas.size(), measure_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
             areas[f] = 0.5 * area_vector(mesh, f).norm();
     });
@@ -74,7 +74,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 }
 
 double surface_area(const TriangleMesh& mesh) {
-    return parallel_sum(mesh.triangles.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum(mesh.triangles.size(), measure_block, 0.0, [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t f = begin; f < end; ++f)
             sum += 0.5 * area_vector(mesh, f).norm();

@@ -7,7 +7,7 @@ namespace wm3d {
 
 namespace {
 
-constexpr std::size_t block = 8192;
+constexpr std::size_t umbrella_block = 8192;
 
 /// Applies `step(from, v)` to every vertex, `steps` times.
 template<typename Step>
@@ -15,7 +15,7 @@ std::vector<Vec3> repeat(std::vector<Vec3> x, int steps, const Step& step) {
     std::vector<Vec3> previous(x.size());
     for (int i = 0; i < steps; ++i) {
         previous.swap(x);
-        parallel_blocks(x.size(), block, [&](std::size_t begin, std::size_t end) {
+        parallel_blocks(x.size(), umbrella_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v)
                 x[v] = step(previous, v);
         });

@@ -16,7 +16,7 @@ namespace wm3d::search {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Weights of cubic interpolation between the second and the third of four places, at the part t of the way.
 std::array<double, 4> cubic_weights(double t) {

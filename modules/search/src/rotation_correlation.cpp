@@ -17,7 +17,7 @@ namespace wm3d::search {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Columns of m' that are summed before they are written: one line of the cache.
 constexpr std::size_t tile = 8;

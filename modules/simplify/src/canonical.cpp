@@ -15,7 +15,7 @@ namespace wm3d::simplify {
 
 namespace {
 
-constexpr std::size_t block = 16384;
+constexpr std::size_t canonical_block = 16384;
 constexpr int grid_bits = 11; // per axis: three radix passes sort the whole code
 constexpr std::uint64_t radix = 1u << grid_bits;
 

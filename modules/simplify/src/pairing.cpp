@@ -14,10 +14,10 @@ namespace wm3d::simplify {
 
 namespace {
 
-constexpr std::size_t block = 4096;
+constexpr std::size_t pairing_block = 4096;
 
 /// A half-edge between a vertex and one of a greater number.
-struct Spoke {
+struct LooseSpoke {
     Index other;
     Index half_edge;
     bool outward; ///< runs from the vertex to the other
@@ -26,7 +26,7 @@ struct Spoke {
 /// The half-edges between v and vertices of greater number, sorted by the other vertex. Each edge of the
 /// mesh is so met once, at its smaller end.
 void collect_spokes(const std::vector<Triangle>& triangles, const Corners& by, Index v,
-                    std::vector<Spoke>& spokes) {
+                    std::vector<LooseSpoke>& spokes) {
     spokes.clear();
     for (Index i = by.start[v]; i < by.start[v + 1]; ++i) {
         const Index out = by.corners[i], in = previous(out);
@@ -36,13 +36,14 @@ void collect_spokes(const std::vector<Triangle>& triangles, const Corners& by, I
         if (const Index tail = t[in % 3]; tail > v)
             spokes.push_back({tail, in, false});
     }
-    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+    std::sort(spokes.begin(), spokes.end(), [](const LooseSpoke& a, const LooseSpoke& b) {
         return std::pair(a.other, a.half_edge) < std::pair(b.other, b.half_edge);
     });
 }
 
 /// Partners of the edges in `spokes`; complex ends go to `complex`. False if two partners run the same way.
-bool pair_spokes(const std::vector<Spoke>& spokes, std::vector<Index>& partner, std::vector<Index>& complex) {
+bool pair_spokes(const std::vector<LooseSpoke>& spokes, std::vector<Index>& partner,
+                 std::vector<Index>& complex) {
     bool oriented = true;
     for (std::size_t begin = 0, end; begin < spokes.size(); begin = end) {
         for (end = begin + 1; end < spokes.size() && spokes[end].other == spokes[begin].other;)
@@ -90,11 +91,11 @@ Pairing pair_half_edges(const std::vector<Triangle>& triangles, std::size_t vert
     Pairing pairing;
     pairing.partner.assign(3 * triangles.size(), no_index);
     pairing.complex.assign(vertices, false);
-    std::vector<std::vector<Index>> complex((vertices + block - 1) / block);
+    std::vector<std::vector<Index>> complex((vertices + pairing_block - 1) / pairing_block);
     std::atomic<bool> oriented = true;
-    parallel_blocks(vertices, block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Spoke> spokes;
-        std::vector<Index>& ends = complex[begin / block];
+    parallel_blocks(vertices, pairing_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<LooseSpoke> spokes;
+        std::vector<Index>& ends = complex[begin / pairing_block];
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
             collect_spokes(triangles, by, v, spokes);
             const std::size_t before = ends.size();

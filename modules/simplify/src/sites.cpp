@@ -10,7 +10,7 @@ namespace wm3d::simplify {
 
 namespace {
 
-constexpr std::size_t block = 4096;
+constexpr std::size_t site_block = 4096;
 
 Kind kind_of(const Surface& surface, Index v) {
     if (surface.locked[v])
@@ -58,7 +58,7 @@ Sites build_sites(const Surface& surface, const std::vector<Vec3>& positions, co
     out.kind.resize(count);
     for (std::size_t v = 0; v < count; ++v)
         out.site[v].position = positions[surface.source[v]];
-    parallel_blocks(count, block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(count, site_block, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
             out.quadric[v] = initial_quadric(surface.rings.of(v), out.site, v, options);
             out.kind[v] = kind_of(surface, v);

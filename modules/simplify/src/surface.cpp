@@ -19,7 +19,7 @@ namespace wm3d::simplify {
 
 namespace {
 
-constexpr std::size_t block = 4096;
+constexpr std::size_t vertex_block = 4096;
 constexpr std::size_t many = 64; ///< triangles at a vertex that are still chained by comparing all with all
 constexpr std::size_t lane = 8;
 
@@ -80,7 +80,7 @@ std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, s
     std::vector<Index> sizes(vertices);
     std::vector<Triangle> ordered(by.corners.size());
     std::atomic<bool> manifold = true;
-    parallel_blocks(vertices, block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(vertices, vertex_block, [&](std::size_t begin, std::size_t end) {
         Wedges wedges;
         std::array<unsigned char, many> order;
         for (std::size_t v = begin; v < end && manifold; ++v) {
@@ -108,7 +108,7 @@ std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, s
     if (!manifold)
         return std::nullopt;
     Rings rings(sizes);
-    parallel_blocks(vertices, block, [&](std::size_t begin, std::size_t end) {
+    parallel_blocks(vertices, vertex_block, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
             Spoke* spoke = rings.ring(v).data();
             for (Index i = by.start[v]; i < by.start[v + 1]; ++i)
