@@ -20,6 +20,7 @@ function(wm3d_test name)
         set(ARG_TIMEOUT 300)
     endif()
     add_executable(${name} ${ARG_SRCS})
+    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # cases of different files may name the same helpers
     target_link_libraries(${name} PRIVATE wm3d_settings wm3d_doctest_main ${ARG_LINK})
     set(meshes $ENV{WM3D_MESHES})
     if(NOT meshes)
