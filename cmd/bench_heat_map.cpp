@@ -10,6 +10,8 @@ namespace wm3d::cmd {
 
 namespace {
 
+using namespace study;
+
 /// log10 p of the darkest cells: three decades of decades, for few models reach more.
 constexpr double darkest = -1000;
 

@@ -11,6 +11,6 @@ namespace wm3d::cmd {
 
 /// Attacks by models, one group of columns for each size of marks; the worst key of each. The darker, the
 /// smaller p; what misses the target stands out.
-report::HeatMap bench_heat_map(const std::vector<BenchTable>& tables);
+report::HeatMap bench_heat_map(const std::vector<study::BenchTable>& tables);
 
 } // namespace wm3d::cmd

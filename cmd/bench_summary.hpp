@@ -10,8 +10,8 @@
 namespace wm3d::cmd {
 
 struct BenchSummary {
-    std::vector<BenchTable> tables; ///< one for each size of marks
-    WrongKeys wrong;
+    std::vector<study::BenchTable> tables; ///< one for each size of marks
+    study::WrongKeys wrong;
     std::vector<std::string> unusable; ///< "FILE: why", of models that could not be read or marked
     std::vector<std::string> commands; ///< that make these results again
     std::string version;

@@ -276,16 +276,16 @@ bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary,
     return true;
 }
 
-ordered_json to_json(const BenchTable& table) {
+ordered_json to_json(const study::BenchTable& table) {
     return {{"size", study::to_string(table.size)},
             {"log10_target", table.log10_target},
             {"cells", table.filled()},
             {"missed", table.missed()}};
 }
 
-ordered_json to_json(const WrongKeys& wrong) {
+ordered_json to_json(const study::WrongKeys& wrong) {
     ordered_json counts = ordered_json::array();
-    for (const WrongKeyCount& count : wrong.counts)
+    for (const study::WrongKeyCount& count : wrong.counts)
         counts.push_back({{"pf", count.pf},
                           {"found", count.family},
                           {"p_found", count.family_excess},
@@ -301,7 +301,7 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const study:
     write_result(arguments, "summary.md", bench_markdown(summary));
     write_result(arguments, "summary.csv", bench_csv(results));
     ordered_json tables = ordered_json::array();
-    for (const BenchTable& table : summary.tables) {
+    for (const study::BenchTable& table : summary.tables) {
         output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n",
                                  size_text(table.size), table.filled() - table.missed(), table.filled(),
                                  table.log10_target));

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_mark.hpp"
 
-#include <cmath>
-#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -12,9 +10,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/study/recommend.hpp>
-#include <wm3d/watermark/mark.hpp>
-#include <wm3d/watermark/receipt.hpp>
-#include <wm3d/watermark/verify.hpp>
+#include <wm3d/watermark/mark_file.hpp>
 
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
@@ -35,77 +31,33 @@ struct MarkArguments {
     std::string survive;
 };
 
-/// `mark` rewrites coordinates inside the user's own file: another format would be another file.
-void require_same_format(const MarkArguments& arguments, io::Format in, io::Format out) {
-    if (in != out)
-        throw ParameterError(
-            fmt::format("{}: mark keeps the file as it is but for its coordinates, so the output has to be "
-                        "a .{} like the input; convert it before or afterwards",
-                        arguments.files.output, io::name_of(in)));
-}
-
-void warn_if_too_coarse(const io::Model& model, const watermark::Marked& marked, Output& output) {
-    if (model.coordinate_step() > marked.distortion.normal_rms)
+void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
+    if (result.coordinate_step > result.marked.distortion.normal_rms)
         output.warn(fmt::format(
             "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
             "write the model with more digits before marking it, or raise --strength",
-            model.coordinate_step(), marked.distortion.normal_rms));
+            result.coordinate_step, result.marked.distortion.normal_rms));
 }
 
 /// Tells at once what a thief could make of the shape.
-void warn_if_ambiguous(const io::Model& model, const MarkArguments& arguments, Output& output) {
-    const resync::Ambiguity ambiguity = watermark::ambiguity_of(model.mesh());
-    if (ambiguity != resync::Ambiguity::none && arguments.receipt.empty())
+void warn_if_ambiguous(const watermark::MarkedModel& result, const MarkArguments& arguments, Output& output) {
+    if (result.ambiguity != resync::Ambiguity::none && arguments.receipt.empty())
         output.warn(fmt::format("{}: {}; a rotated copy may not be found by the key alone, so keep a receipt "
                                 "(--receipt FILE), by which it can be",
-                                display_name(arguments.files.input), resync::describe(ambiguity)));
+                                display_name(arguments.files.input), resync::describe(result.ambiguity)));
 }
 
-void write_receipt(const io::Model& model, const watermark::Marked& marked, const key::Key& key,
-                   const io::PatchedFiles& files, const MarkArguments& arguments, Output& output) {
-    // Positions that don't change leave every byte as it was read.
-    const std::string original = model.patched(model.mesh().positions);
-    const resync::Receipt receipt =
-        watermark::make_receipt(model.mesh(), marked, key, original, files.bytes, output.progress());
-    io::write_file(arguments.receipt, resync::to_text(receipt), {.overwrite = arguments.files.overwrite});
-}
-
-/// The marked file; what goes to a stream has no files beside it.
-io::PatchedFiles patched(const io::Model& model, const watermark::Marked& marked,
-                         const MarkArguments& arguments) {
-    const auto normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
-    const std::string_view name = arguments.files.output == "-" ? std::string_view() : arguments.files.output;
-    return model.patched_files(marked.positions, name, normals);
-}
-
-/// Reads the bytes that are about to be written, as verify would read the file.
-io::Model read_back(const io::PatchedFiles& files, const MarkArguments& arguments, io::Format format) {
-    const auto folder = std::filesystem::path(arguments.files.input).parent_path();
-    return io::parse(files.bytes, format, arguments.files.output, [&](std::string_view uri) {
-        for (const io::SideFile& side : files.side_files)
-            if (side.name == uri)
-                return side.bytes;
-        return io::read_file(folder / uri);
-    });
-}
-
-std::string self_check_failure(const TriangleMesh& mesh, const key::Key& key, const MarkArguments& arguments,
-                               const watermark::Marked& marked, const watermark::VerifyReport& check) {
-    const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
-    watermark::MarkOptions options = arguments.options;
-    options.strength = d.normal_rms;
-    const watermark::Forecast forecast = watermark::forecast(mesh, key, options);
-    return fmt::format(
-        "{}: nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is "
-        "needed); {}",
-        arguments.files.input, check.score.log10_p, std::log10(options.pf),
-        forecast.predicted_miss > 0.01
-            ? fmt::format("with {} vertices the mesh is too small or too plain for a strength of {:.3g} %: "
-                          "raise --strength, or subdivide the model first",
-                          mesh.positions.size(), d.normal_rms)
-            : std::string(
-                  "the file's coordinates are too coarse for it, or its shape has no clear axes: raise "
-                  "--strength, or store more digits"));
+void write(const watermark::MarkedModel& result, const io::Model& model, const key::Key& key,
+           const MarkArguments& arguments, Output& output) {
+    const io::WriteOptions options{.overwrite = arguments.files.overwrite};
+    if (arguments.files.output == "-")
+        output.write_bytes(result.files.bytes);
+    else
+        io::write_files(arguments.files.output, result.files, options);
+    if (!arguments.receipt.empty())
+        io::write_file(arguments.receipt,
+                       resync::to_text(watermark::make_receipt(model, result, key, output.progress())),
+                       options);
 }
 
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
@@ -169,39 +121,36 @@ watermark::MarkOptions resolved_options(const MarkArguments& arguments, const Tr
     return options;
 }
 
+watermark::MarkModelOptions model_options(const MarkArguments& arguments, const io::Model& model,
+                                          const key::Key& key, Output& output) {
+    watermark::MarkModelOptions options;
+    options.mark = resolved_options(arguments, model.mesh(), key, output);
+    options.normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
+    if (arguments.files.output != "-") // what goes to a stream has no files beside it
+        options.output_name = arguments.files.output;
+    return options;
+}
+
 int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
         check_target(arguments.receipt, arguments.files.overwrite);
     const key::Key key = load_key(arguments.key, output);
     const io::Model model = read_input(arguments.files);
-    require_same_format(arguments, model.format(), format);
+    watermark::require_same_format(model.format(), format, arguments.files.output);
 
-    const watermark::MarkOptions options = resolved_options(arguments, model.mesh(), key, output);
-    const watermark::Marked marked = watermark::mark(model.mesh(), key, options, output.progress());
-    warn_if_too_coarse(model, marked, output);
-    warn_if_ambiguous(model, arguments, output);
-    const bool to_stream = arguments.files.output == "-";
-    const io::PatchedFiles files = patched(model, marked, arguments);
-
-    watermark::VerifyOptions check_options;
-    check_options.pf = arguments.options.pf;
-    check_options.vertices = arguments.options.vertices;
-    const watermark::VerifyReport check =
-        watermark::verify(read_back(files, arguments, format).mesh(), key, check_options, output.progress());
-    if (check.verdict != detect::Verdict::present) {
-        output.fail(self_check_failure(model.mesh(), key, arguments, marked, check));
+    const watermark::MarkedModel result =
+        watermark::mark_model(model, key, model_options(arguments, model, key, output), output.progress());
+    warn_if_too_coarse(result, output);
+    warn_if_ambiguous(result, arguments, output);
+    if (result.loss != watermark::Loss::none) {
+        output.fail(fmt::format("{}: {}", arguments.files.input,
+                                watermark::describe_loss(result, arguments.options.pf)));
         return exit_check_failed;
     }
-
-    if (to_stream)
-        output.write_bytes(files.bytes);
-    else
-        io::write_files(arguments.files.output, files, {.overwrite = arguments.files.overwrite});
-    if (!arguments.receipt.empty())
-        write_receipt(model, marked, key, files, arguments, output);
-    tell(arguments, marked, check, output);
-    nlohmann::ordered_json json = to_json(arguments, key, marked, check);
+    write(result, model, key, arguments, output);
+    tell(arguments, result.marked, result.check, output);
+    nlohmann::ordered_json json = to_json(arguments, key, result.marked, result.check);
     if (!arguments.receipt.empty())
         json["receipt"] = arguments.receipt;
     output.print_json(json);

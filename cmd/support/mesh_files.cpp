@@ -64,16 +64,8 @@ void add_output(CLI::App& app, MeshFiles& files) {
 }
 
 void check_target(const std::string& path, bool overwrite) {
-    if (is_stream(path))
-        return;
-    std::error_code ignored;
-    if (fs::is_directory(path, ignored))
-        throw OutputError(fmt::format("{}: this is a folder; name a file", path));
-    if (fs::exists(fs::symlink_status(path, ignored)) && !overwrite)
-        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path));
-    const fs::path folder = fs::path(path).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, ignored))
-        throw OutputError(fmt::format("{}: there is no folder {}; create it first", path, folder.string()));
+    if (!is_stream(path))
+        io::require_writable(path, {.overwrite = overwrite});
 }
 
 io::Format check_output(const MeshFiles& files, const Output& output) {

@@ -87,12 +87,10 @@ mode_t default_mode() {
 
 void refuse_existing(const std::filesystem::path& path, const WriteOptions& options) {
     struct stat status {};
-    if (::stat(path.c_str(), &status) == 0) {
-        if (S_ISDIR(status.st_mode))
-            throw OutputError(fmt::format("{}: this is a folder; name a file", path.string()));
-        if (!options.overwrite)
-            throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()));
-    }
+    if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+        throw OutputError(fmt::format("{}: this is a folder; name a file", path.string()));
+    if (!options.overwrite && ::lstat(path.c_str(), &status) == 0) // a link that leads nowhere counts
+        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()));
 }
 
 /// A temporary file in the folder of its target; removed unless it was given the target's name.
@@ -156,6 +154,15 @@ std::string read_file(const std::filesystem::path& path) {
     if (S_ISDIR(status.st_mode))
         throw InputError(fmt::format("{}: this is a folder; name a mesh file", path.string()));
     return read_all(fd.get(), static_cast<std::size_t>(status.st_size) + 1, path); // one more to see the end
+}
+
+void require_writable(const std::filesystem::path& path, const WriteOptions& options) {
+    refuse_existing(path, options);
+    std::error_code ignored;
+    const std::filesystem::path folder = path.parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        throw OutputError(
+            fmt::format("{}: there is no folder {}; create it first", path.string(), folder.string()));
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes, const WriteOptions& options) {

@@ -40,6 +40,9 @@ const TriangleMesh& Model::mesh() const {
 std::span<const Index> Model::vertex_of_slot() const {
     return impl_->welded.vertex_of;
 }
+std::string_view Model::bytes() const {
+    return impl_->bytes;
+}
 double Model::coordinate_step() const {
     return impl_->store->step(impl_->welding());
 }
@@ -59,6 +62,17 @@ PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view
         return files;
     return with_turned_normals(std::move(files), impl_->format, {impl_->name, impl_->bytes}, impl_->welding(),
                                impl_->resolver, output_name);
+}
+
+Model Model::read_back(const PatchedFiles& files) const {
+    return parse(files.bytes, impl_->format, impl_->name, [&](std::string_view uri) {
+        for (const SideFile& side : files.side_files)
+            if (side.name == uri)
+                return side.bytes;
+        if (!impl_->resolver)
+            throw InputError(fmt::format("{}: nothing is known of its buffer {}", impl_->name, uri));
+        return impl_->resolver(uri);
+    });
 }
 
 Vec3 largest_coordinates(const TriangleMesh& mesh) {

@@ -6,6 +6,7 @@
 #include <wm3d/watermark/defaults.hpp>
 #include <wm3d/watermark/examination.hpp>
 #include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/mark_file.hpp>
 #include <wm3d/watermark/null_keys.hpp>
 #include <wm3d/watermark/receipt.hpp>
 #include <wm3d/watermark/sequences.hpp>

@@ -19,6 +19,10 @@ struct WriteOptions {
     bool private_to_owner = false; ///< mode 0600 instead of what the umask leaves
 };
 
+/// Finds out before any work whether a file could be written: nothing in its way, and a folder to hold it.
+/// \throw OutputError
+void require_writable(const std::filesystem::path& path, const WriteOptions& options = {});
+
 /// Writes a whole file or nothing: into a temporary file in the same folder, which is flushed to the disk and
 /// then takes the name in one step.
 /// \throw OutputError  if the file exists and `overwrite` is false, or can't be written

@@ -54,6 +54,9 @@ public:
     /// Vertex of every slot, #slots, in file order.
     std::span<const Index> vertex_of_slot() const;
 
+    /// The file as it was read.
+    std::string_view bytes() const;
+
     /// The coarsest distance between neighbouring values that a coordinate of the surface can be given in
     /// this file, in units of the mesh. Moves well below it are lost.
     double coordinate_step() const;
@@ -73,6 +76,9 @@ public:
     /// STEM.bin (STEM-1.bin, ... for further ones), STEM being `output_name` without folder and extension.
     PatchedFiles patched_files(std::span<const Vec3> wanted, std::string_view output_name,
                                Normals normals = Normals::keep) const;
+
+    /// What reading the patched files would give once they are written. \throw InputError  as `parse`
+    Model read_back(const PatchedFiles& files) const;
 
 private:
     struct Impl;

@@ -79,7 +79,7 @@ private:
 /// Marks a mesh: base domain by MAPS, eq. (3) or a shaped mark on its vertices, reconstruction.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
-Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options = {},
             const Progress& progress = {});
 
 /// What can be said before a file is written.

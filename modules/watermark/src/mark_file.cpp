@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/mark_file.hpp>
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/watermark/receipt.hpp>
+
+namespace wm3d::watermark {
+
+namespace {
+
+/// Above it a mark of this strength is missed for want of surface, not by what the file makes of it.
+constexpr double tolerated_miss = 0.01;
+
+VerifyReport self_check(const io::Model& model, const io::PatchedFiles& files, const key::Key& key,
+                        const MarkOptions& mark, const Progress& progress) {
+    VerifyOptions options;
+    options.pf = mark.pf;
+    options.vertices = mark.vertices;
+    return verify(model.read_back(files).mesh(), key, options, progress);
+}
+
+Loss loss_of(const io::Model& model, const key::Key& key, MarkOptions options, const Marked& marked) {
+    options.strength = percent(marked.distortion, marked.diagonal).normal_rms;
+    return forecast(model.mesh(), key, options).predicted_miss > tolerated_miss ? Loss::power : Loss::storage;
+}
+
+io::Format format_of(const std::filesystem::path& path, const std::optional<io::Format>& fallback) {
+    if (const auto format = io::format_of_name(path.filename().string()))
+        return *format;
+    if (fallback)
+        return *fallback;
+    throw ParameterError(
+        fmt::format("{}: the extension names no known format; use one of obj, ply, stl, off, "
+                    "gltf, glb, or give the format",
+                    path.string()));
+}
+
+} // namespace
+
+MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
+                       const Progress& progress) {
+    MarkedModel result;
+    result.coordinate_step = model.coordinate_step();
+    result.marked = mark(model.mesh(), key, options.mark, progress);
+    result.ambiguity = ambiguity_of(model.mesh());
+    result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
+    result.check = self_check(model, result.files, key, options.mark, progress);
+    if (result.check.verdict != detect::Verdict::present)
+        result.loss = loss_of(model, key, options.mark, result.marked);
+    return result;
+}
+
+std::string describe_loss(const MarkedModel& result, double pf) {
+    return fmt::format(
+        "nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is needed); "
+        "{}",
+        result.check.score.log10_p, std::log10(pf),
+        result.loss == Loss::power
+            ? fmt::format("with {} vertices the mesh is too small or too plain for a strength of {:.3g} %: "
+                          "raise --strength, or subdivide the model first",
+                          result.marked.positions.size(),
+                          percent(result.marked.distortion, result.marked.diagonal).normal_rms)
+            : std::string(
+                  "the file's coordinates are too coarse for it, or its shape has no clear axes: raise "
+                  "--strength, or store more digits"));
+}
+
+resync::Receipt make_receipt(const io::Model& model, const MarkedModel& result, const key::Key& key,
+                             const Progress& progress) {
+    return make_receipt(model.mesh(), result.marked, key, model.bytes(), result.files.bytes, progress);
+}
+
+void require_same_format(io::Format in, io::Format out, std::string_view output) {
+    if (in != out)
+        throw ParameterError(
+            fmt::format("{}: mark keeps the file as it is but for its coordinates, so the output has to be "
+                        "a .{} like the input; convert it before or afterwards",
+                        output, io::name_of(in)));
+}
+
+MarkedFile mark_file(const std::filesystem::path& in, const std::filesystem::path& out, const key::Key& key,
+                     const MarkFileOptions& options, const Progress& progress) {
+    const io::WriteOptions writing{.overwrite = options.overwrite};
+    io::require_writable(out, writing);
+    if (!options.receipt.empty())
+        io::require_writable(options.receipt, writing);
+    const io::Format format = format_of(in, options.format);
+    require_same_format(format, format_of(out, options.format), out.string());
+    const io::Model model = io::read(in, {.format = format});
+
+    MarkedModel result = mark_model(model, key, {options.mark, options.normals, out.string()}, progress);
+    MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.ambiguity};
+    if (report.written) {
+        io::write_files(out, result.files, writing);
+        if (!options.receipt.empty())
+            io::write_file(options.receipt, resync::to_text(make_receipt(model, result, key, progress)),
+                           writing);
+    } else {
+        report.reason = fmt::format("{}: {}", in.string(), describe_loss(result, options.mark.pf));
+    }
+    report.marked = std::move(result.marked);
+    return report;
+}
+
+} // namespace wm3d::watermark

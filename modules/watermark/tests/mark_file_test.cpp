@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/mark_file.hpp>
+
+#include <filesystem>
+#include <sstream>
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/io/encode.hpp>
+#include <wm3d/shapes.hpp>
+
+#include "fixed_key.hpp"
+
+using namespace wm3d;
+using namespace wm3d::watermark;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that goes away, with a model in it.
+struct Workshop {
+    fs::path folder = fs::temp_directory_path() / fmt::format("wm3d-mark-file-{}", ::getpid());
+    fs::path in = folder / "in.obj", out = folder / "out.obj", receipt = folder / "receipt.json";
+
+    explicit Workshop(const TriangleMesh& mesh) {
+        fs::create_directory(folder);
+        io::write_file(in, "# scan 17\n" + io::encode(mesh, io::Format::obj) + "# the end\n");
+    }
+    ~Workshop() { fs::remove_all(folder); }
+
+    std::size_t files() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+    }
+};
+
+const key::Key key_of_tests = fixed_key();
+
+/// A small model needs a stronger mark than a scan.
+MarkFileOptions strong() {
+    MarkFileOptions options;
+    options.mark.strength = 0.3;
+    return options;
+}
+
+TriangleMesh tetrahedron() {
+    return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+} // namespace
+
+TEST_CASE("a marked file differs in coordinates alone, and verify finds the mark in it") {
+    const Workshop shop(shapes::blob(4000, 4));
+    MarkFileOptions options = strong();
+    options.receipt = shop.receipt;
+    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, options);
+    REQUIRE(report.written);
+    CHECK(report.reason.empty());
+
+    const io::Model written = io::read(shop.out);
+    const VerifyReport found = verify(written.mesh(), key_of_tests);
+    CHECK(found.verdict == detect::Verdict::present);
+    CHECK(found.score.log10_p == report.check.score.log10_p); // the check read the very bytes
+    CHECK(verify(io::read(shop.in).mesh(), key_of_tests).verdict != detect::Verdict::present);
+
+    std::istringstream before(io::read_file(shop.in)), after(io::read_file(shop.out));
+    std::size_t moved = 0;
+    for (std::string a, b; std::getline(before, a);) {
+        REQUIRE(std::getline(after, b));
+        const bool vertex = a.starts_with("v ");
+        CHECK((vertex ? b.starts_with("v ") : a == b));
+        moved += a != b;
+    }
+    CHECK(moved > 3000);
+
+    const resync::Receipt receipt = resync::parse_receipt(io::read_file(shop.receipt), "receipt.json");
+    CHECK(receipt.key_commitment == key_of_tests.commitment());
+    CHECK(receipt.original.sha256 == resync::digest_of(io::read_file(shop.in)).sha256);
+    CHECK(receipt.marked.sha256 == resync::digest_of(io::read_file(shop.out)).sha256);
+}
+
+TEST_CASE("nothing is written where the mark would not be found again") {
+    const Workshop shop(tetrahedron());
+    MarkFileOptions options;
+    options.receipt = shop.receipt;
+    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, options);
+    CHECK_FALSE(report.written);
+    CHECK(report.reason.find("too small or too plain") != std::string::npos);
+    CHECK(shop.files() == 1);
+}
+
+TEST_CASE("a file in the way is found out before any work, and left alone") {
+    const Workshop shop(tetrahedron());
+    io::write_file(shop.out, "mine");
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.out, key_of_tests),
+                         doctest::Contains("the file exists"), OutputError);
+    CHECK(io::read_file(shop.out) == "mine");
+    MarkFileOptions options;
+    options.receipt = shop.out;
+    CHECK_THROWS_AS(mark_file(shop.in, shop.folder / "new.obj", key_of_tests, options), OutputError);
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "none/out.obj", key_of_tests),
+                         doctest::Contains("there is no folder"), OutputError);
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.ply", key_of_tests),
+                         doctest::Contains("has to be a .obj"), ParameterError);
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.xyz", key_of_tests),
+                         doctest::Contains("names no known format"), ParameterError);
+    CHECK(shop.files() == 2);
+}
