@@ -53,7 +53,7 @@ if("search" IN_LIST WM3D_MODULES)
     wm3d_third_party(fftw LINK PkgConfig::FFTW PkgConfig::FFTWF)
 endif()
 
-if("attack" IN_LIST WM3D_MODULES OR "metrics" IN_LIST WM3D_MODULES)
+if("attack" IN_LIST WM3D_MODULES)
     find_package(OpenMesh REQUIRED)
     wm3d_third_party(openmesh LINK OpenMeshTools OpenMeshCore)
     set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)

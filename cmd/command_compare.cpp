@@ -65,7 +65,7 @@ std::string as_text(const CompareOptions& options, const metrics::Report& r) {
     line("area", fmt::format("{:+.5f} %", r.area_change));
     line("volume", r.volume_change ? fmt::format("{:+.5f} %", *r.volume_change) : "not closed");
     if (r.msdm2)
-        line("MSDM2", fmt::format("{:.4f}", *r.msdm2));
+        line("MSDM2", fmt::format("{:.4f}; the mean of both sides {:.4f}", *r.msdm2, *r.msdm2_both));
     line("samples", fmt::format("{} and {}, {:.3f} % of the diagonal apart", r.forward.samples,
                                 r.backward.samples, r.percent(r.forward.spacing)));
     return text;
@@ -80,6 +80,9 @@ ordered_json as_json(const CompareOptions& options, const metrics::Report& r) {
     const metrics::VertexFigures* vertices = corresponding(r);
     const auto of_vertices = [&](double metrics::VertexFigures::*figure) {
         return vertices ? ordered_json(r.percent(vertices->*figure)) : ordered_json();
+    };
+    const auto figure = [](const std::optional<double>& value) {
+        return value ? ordered_json(*value) : ordered_json();
     };
     const auto side = [&](const metrics::OneSidedDistance& d) {
         return ordered_json{{"mean_percent", r.percent(d.mean)},
@@ -104,8 +107,9 @@ ordered_json as_json(const CompareOptions& options, const metrics::Report& r) {
             {"b_to_a", side(r.backward)},
             {"normal_deviation_degrees", r.normal_deviation},
             {"area_change_percent", r.area_change},
-            {"volume_change_percent", r.volume_change ? ordered_json(*r.volume_change) : ordered_json()},
-            {"msdm2", r.msdm2 ? ordered_json(*r.msdm2) : ordered_json()}};
+            {"volume_change_percent", figure(r.volume_change)},
+            {"msdm2", figure(r.msdm2)},
+            {"msdm2_both", figure(r.msdm2_both)}};
 }
 
 io::Format check_heatmap(const CompareOptions& options, const Output& output) {
@@ -148,7 +152,8 @@ Action declare_compare(CLI::App& app) {
         "Tells how far mesh B is from mesh A, which lies in the same place: from vertex to vertex where "
         "both\n"
         "have the same triangles, from surface to surface always (MRMS is the larger of the two one-sided\n"
-        "RMS distances), and as the eye sees it (MSDM2, 0 to 1). Lengths are in % of A's box diagonal and "
+        "RMS distances), and as the eye sees it (MSDM2 of B against A,\n"
+        "0 to 1). Lengths are in % of A's box diagonal and "
         "in\n"
         "units of the file.");
     app.add_option("A", options->a, "Mesh to compare with, the reference")->option_text("FILE")->required();

@@ -30,10 +30,8 @@ constexpr std::array table{
 #ifdef WM3D_WITH_ATTACK
     Command{"attack", "Robustness", "do to a mesh what may happen to it", declare_attack},
 #endif
-#ifdef WM3D_WITH_METRICS
     Command{"compare", "Robustness", "tell how far apart two meshes are", declare_compare},
-#endif
-#ifdef WM3D_WITH_BENCH
+#ifdef WM3D_WITH_ATTACK
     Command{"bench", "Robustness", "tell what marks survive, over models and attacks", declare_bench},
 #endif
     Command{"resync", "Parts of the method", "lay a moved or cut mesh back on its model", declare_resync},

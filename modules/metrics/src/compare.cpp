@@ -14,12 +14,12 @@ namespace wm3d::metrics {
 
 namespace {
 
-constexpr std::size_t block = 16384;
+constexpr std::size_t sum_block = 16384;
 
 Vec3 mean(const std::vector<Vec3>& points) {
     const Vec3 zero = Vec3::Zero();
     const Vec3 sum =
-        parallel_sum(points.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
+        parallel_sum(points.size(), sum_block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
             Vec3 part = Vec3::Zero();
             for (std::size_t v = begin; v < end; ++v)
                 part += points[v];
@@ -31,7 +31,7 @@ Vec3 mean(const std::vector<Vec3>& points) {
 /// Sum of term(v) over all vertices.
 template<typename Term>
 double sum_over(std::size_t count, Term&& term) {
-    return parallel_sum(count, block, 0.0, [&](std::size_t begin, std::size_t end) {
+    return parallel_sum(count, sum_block, 0.0, [&](std::size_t begin, std::size_t end) {
         double part = 0;
         for (std::size_t v = begin; v < end; ++v)
             part += term(v);
@@ -94,7 +94,9 @@ Report compare(const TriangleMesh& a, const TriangleMesh& b, const Options& opti
         result.volume_change = change_percent(enclosed_volume(a), enclosed_volume(b));
     if (options.perceptual) {
         notify(progress, "perceptual distance", 0);
-        result.msdm2 = msdm2(tree_a, tree_b, options.msdm2);
+        result.msdm2 = Msdm2(tree_a, options.msdm2).distance(b);
+        notify(progress, "perceptual distance", 0.5);
+        result.msdm2_both = (*result.msdm2 + Msdm2(tree_b, options.msdm2).distance(a)) / 2;
     }
     notify(progress, "comparison", 1);
     return result;

@@ -9,55 +9,55 @@
 
 #include <wm3d/core/parallel.hpp>
 
+#include "outward_walk.hpp"
+
 namespace wm3d::metrics {
 
 namespace {
 
-constexpr std::size_t block = 16384; // large: every block has its own marks for all vertices
+using Symmetric = std::array<double, 6>; // xx, xy, xz, yy, yz, zz
 
-/// Length of segment p-q inside the sphere. \pre  p is inside
-double length_inside(const Vec3& p, const Vec3& q, const Vec3& centre, double radius) {
-    const Vec3 d = q - p, m = p - centre;
-    const double a = d.squaredNorm();
-    if (!(a > 0))
-        return 0;
-    // |m + t d| = radius, the root ahead
-    const double b = m.dot(d), c = m.squaredNorm() - radius * radius;
-    const double t = (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a;
-    return std::sqrt(a) * std::clamp(t, 0.0, 1.0);
-}
-
-Mat3 tensor_at(const TriangleMesh& mesh, const VertexAdjacency& adjacency, BallWalk& walk, Index vertex,
-               double radius) {
-    Mat3 tensor = Mat3::Zero();
-    for (Index v : walk.gather(vertex, radius))
-        for (Index e : adjacency.edges_at(v)) {
-            const Index w = adjacency.other_end(e, v);
-            if (walk.contains(w) && w < v)
-                continue; // counted at its other end
-            const Vec3& p = mesh.positions[v];
-            const Vec3& q = mesh.positions[w];
-            const double length = length_inside(p, q, mesh.positions[vertex], radius);
-            if (!(length > 0))
-                continue;
-            const Vec3 direction = (q - p).normalized();
-            tensor += adjacency.edges()[e].angle * length * direction * direction.transpose();
-        }
-    return tensor / (std::numbers::pi * radius * radius);
+/// (|k1| + |k2|) / 2 of a tensor whose third eigenvalue, the least in magnitude, is the normal's.
+double magnitude(const Symmetric& s) {
+    Mat3 tensor;
+    tensor << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
+    Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+    eigen.computeDirect(tensor,
+                        Eigen::EigenvaluesOnly); // closed form: iterations would take longer than the walk
+    const Vec3 magnitudes = eigen.eigenvalues().cwiseAbs();
+    return (magnitudes.sum() - magnitudes.minCoeff()) / 2;
 }
 
 } // namespace
 
-std::vector<double> curvature_magnitude(const TriangleMesh& mesh, const VertexAdjacency& adjacency,
-                                        double radius) {
-    std::vector<double> curvature(mesh.positions.size(), 0.0);
-    parallel_blocks(curvature.size(), block, [&](std::size_t begin, std::size_t end) {
-        BallWalk walk(mesh, adjacency);
+std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
+                                           const PerScale& radii) {
+    const std::vector<double> angles = edge_angles(mesh, graph);
+    const double largest = *std::ranges::max_element(radii);
+    const std::size_t count = mesh.positions.size();
+    std::vector<PerScale> curvature(count, PerScale{});
+    parallel_blocks(count, walk_block(count), [&](std::size_t begin, std::size_t end) {
+        OutwardWalk walk(mesh, graph);
         for (std::size_t v = begin; v < end; ++v) {
-            const Mat3 tensor = tensor_at(mesh, adjacency, walk, static_cast<Index>(v), radius);
-            const Eigen::SelfAdjointEigenSolver<Mat3> eigen(tensor, Eigen::EigenvaluesOnly);
-            const Vec3 magnitudes = eigen.eigenvalues().cwiseAbs();
-            curvature[v] = (magnitudes.sum() - magnitudes.minCoeff()) / 2;
+            std::array<Symmetric, std::tuple_size_v<PerScale>> tensors{};
+            const auto add = [&](const OutwardStep& s) {
+                if (angles[s.edge] == 0)
+                    return;
+                const Vec3& e = s.along;
+                const double weight = angles[s.edge] / e.norm(); // length e e^T for a unit e
+                const Symmetric whole{weight * e[0] * e[0], weight * e[0] * e[1], weight * e[0] * e[2],
+                                      weight * e[1] * e[1], weight * e[1] * e[2], weight * e[2] * e[2]};
+                for (std::size_t k = 0; k < radii.size(); ++k)
+                    if (s.starts_within(radii[k])) {
+                        const double share = s.share_within(radii[k]);
+                        for (std::size_t i = 0; i < whole.size(); ++i)
+                            tensors[k][i] += share * whole[i];
+                    }
+            };
+            walk.from(
+                static_cast<Index>(v), largest, [](Index, double) {}, add);
+            for (std::size_t k = 0; k < radii.size(); ++k)
+                curvature[v][k] = magnitude(tensors[k]) / (std::numbers::pi * radii[k] * radii[k]);
         }
     });
     return curvature;

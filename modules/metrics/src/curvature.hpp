@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Curvature of triangle meshes at a chosen scale.
+/// \file  Curvature of triangle meshes at chosen scales.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
-#include "vertex_adjacency.hpp"
+#include "edge_graph.hpp"
 
 namespace wm3d::metrics {
 
-/// Mean magnitude of the principal curvatures (|k1| + |k2|) / 2 at every vertex, #V, per unit of length:
-/// eigenvalues of the tensor of D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay triangulations and
-/// normal cycle" (2003),
+/// One value per scale.
+using PerScale = std::array<double, 3>;
+
+/// Mean magnitude of the principal curvatures (|k1| + |k2|) / 2 at every vertex and scale, #V, per unit of
+/// length: eigenvalues of the tensor of D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay
+/// triangulations and normal cycle" (2003),
 ///     1 / (pi r^2) sum over edges of angle(e) length(e within the ball) e e^T,
-/// in the ball of radius r around the vertex; the eigenvalue of least magnitude belongs to the normal and is
-/// left out. Near borders, where the ball holds less than a disc, the figure is too low. \pre  radius > 0
-std::vector<double> curvature_magnitude(const TriangleMesh& mesh, const VertexAdjacency& adjacency,
-                                        double radius);
+/// in the ball of radius r around the vertex, over the edges that a walk outwards from the vertex takes; the
+/// eigenvalue of least magnitude belongs to the normal and is left out. Near borders, where the ball holds
+/// less than a disc, the figure is too low. \pre  radii > 0
+std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
+                                           const PerScale& radii);
 
 } // namespace wm3d::metrics

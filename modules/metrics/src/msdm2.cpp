@@ -1,135 +1,160 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/metrics/msdm2.hpp>
 
-#include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "curvature.hpp"
-#include "vertex_adjacency.hpp"
+#include "edge_graph.hpp"
+#include "msdm2_window.hpp"
 
 namespace wm3d::metrics {
 
 namespace {
 
-/// Weighted moments of C and C^ in one window.
-struct Window {
-    double mu = 0, mu_hat = 0, sigma = 0, sigma_hat = 0, sigma_c = 0;
-};
+constexpr std::size_t vertex_block = 1024;
 
-Window window_at(const TriangleMesh& mesh, BallWalk& walk, Index vertex, double h, double deviation,
-                 const std::vector<double>& c, const std::vector<double>& c_hat) {
-    const auto members = walk.gather(vertex, h);
-    const auto weight = [&](Index q) {
-        return std::exp(-(mesh.positions[q] - mesh.positions[vertex]).squaredNorm() /
-                        (2 * deviation * deviation));
-    };
-    Window window;
-    double total = 0;
-    for (Index q : members) {
-        const double w = weight(q);
-        total += w;
-        window.mu += w * c[q];
-        window.mu_hat += w * c_hat[q];
-    }
-    window.mu /= total;
-    window.mu_hat /= total;
-    double squares = 0, squares_hat = 0;
-    for (Index q : members) {
-        const double w = weight(q) / total;
-        const double x = c[q] - window.mu, y = c_hat[q] - window.mu_hat;
-        squares += w * x * x;
-        squares_hat += w * y * y;
-        window.sigma_c += w * x * y;
-    }
-    window.sigma = std::sqrt(squares);
-    window.sigma_hat = std::sqrt(squares_hat);
-    return window;
+PerScale times(double factor, const PerScale& values) {
+    return {factor * values[0], factor * values[1], factor * values[2]};
 }
 
-double local_distance(const Window& w, const Msdm2Options& o) {
-    const double luminance = std::abs(w.mu - w.mu_hat) / (std::max(w.mu, w.mu_hat) + o.stabilizer);
-    const double contrast = std::abs(w.sigma - w.sigma_hat) / (std::max(w.sigma, w.sigma_hat) + o.stabilizer);
-    const double product = w.sigma * w.sigma_hat;
-    const double structure = std::abs(product - w.sigma_c) / (product + o.stabilizer);
-    return (o.weight_luminance * luminance + o.weight_contrast * contrast + o.weight_structure * structure) /
-           (o.weight_luminance + o.weight_contrast + o.weight_structure);
+/// Values at a triangle's corners, each weighted by the area that `p` spans with the side opposite.
+PerScale blend(const TriangleMesh& mesh, Index triangle, const std::vector<PerScale>& values, const Vec3& p) {
+    const Triangle& t = mesh.triangles[triangle];
+    const Vec3 a = mesh.positions[t[0]] - p, b = mesh.positions[t[1]] - p, c = mesh.positions[t[2]] - p;
+    const Vec3 areas(b.cross(c).norm(), c.cross(a).norm(), a.cross(b).norm());
+    const Vec3 weights = areas / areas.sum();
+    PerScale blended{};
+    for (std::size_t k = 0; k < blended.size(); ++k)
+        blended[k] =
+            weights[0] * values[t[0]][k] + weights[1] * values[t[1]][k] + weights[2] * values[t[2]][k];
+    return blended;
 }
 
-std::vector<SurfacePoint> closest_points(const TriangleMesh& mesh, const SurfaceTree& reference) {
-    std::vector<SurfacePoint> points(mesh.positions.size());
-    parallel_blocks(points.size(), 512, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            points[v] = reference.closest(mesh.positions[v]).at;
+/// Numbers of the vertices of triangles, ascending.
+std::vector<Index> used_vertices(const TriangleMesh& mesh, const EdgeGraph& graph) {
+    std::vector<Index> used;
+    for (Index v = 0; v < mesh.positions.size(); ++v)
+        if (!graph.triangles_at(v).empty())
+            used.push_back(v);
+    if (used.empty())
+        throw GeometryError("the mesh has no triangle, so there is nothing to see; check that the file holds "
+                            "the model that you mean");
+    return used;
+}
+
+double minkowski_mean(const std::vector<double>& local, double exponent) {
+    const double sum = parallel_sum(local.size(), vertex_block, 0.0, [&](std::size_t begin, std::size_t end) {
+        double part = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            part += std::pow(local[i], exponent);
+        return part;
     });
-    return points;
-}
-
-/// Values at the corners of the reference, interpolated at each point.
-std::vector<double> interpolate(const std::vector<double>& values, const TriangleMesh& mesh,
-                                const std::vector<SurfacePoint>& points) {
-    std::vector<double> result;
-    result.reserve(points.size());
-    for (const SurfacePoint& p : points) {
-        const Triangle& t = mesh.triangles[p.triangle];
-        result.push_back(p.barycentric.dot(Vec3(values[t[0]], values[t[1]], values[t[2]])));
-    }
-    return result;
-}
-
-/// C at every vertex: free of scale by the longest side of the box.
-std::vector<double> scaled_curvature(const TriangleMesh& mesh, const VertexAdjacency& adjacency,
-                                     double radius, double side) {
-    std::vector<double> c = curvature_magnitude(mesh, adjacency, radius);
-    for (double& value : c)
-        value *= side;
-    return c;
-}
-
-double minkowski_mean(const TriangleMesh& mesh, const std::vector<double>& field, double exponent) {
-    const std::vector<double> areas = vertex_areas(mesh);
-    double sum = 0, total = 0;
-    for (std::size_t v = 0; v < field.size(); ++v) {
-        sum += areas[v] * std::pow(field[v], exponent);
-        total += areas[v];
-    }
-    return std::pow(sum / total, 1 / exponent);
+    return std::pow(sum / static_cast<double>(local.size()), 1 / exponent);
 }
 
 } // namespace
 
-std::vector<double> msdm2_field(const TriangleMesh& distorted, const SurfaceTree& reference,
-                                const Msdm2Options& options) {
-    const TriangleMesh& original = reference.mesh();
-    const Box box = surface_box(original);
-    const double side = (box.max - box.min).maxCoeff();
-    const VertexAdjacency around(distorted), around_original(original);
-    const std::vector<SurfacePoint> matches = closest_points(distorted, reference);
+struct Msdm2::Prepared {
+    const SurfaceTree& tree;
+    Msdm2Options options;
+    EdgeGraph graph; ///< of the reference
 
-    std::vector<double> field(distorted.positions.size(), 0.0);
-    for (double scale : options.scales) {
-        const double h = scale * side, radius = options.curvature_ratio * h;
-        const std::vector<double> c = scaled_curvature(distorted, around, radius, side);
-        const std::vector<double> c_hat =
-            interpolate(scaled_curvature(original, around_original, radius, side), original, matches);
-        parallel_blocks(field.size(), 16384, [&](std::size_t begin, std::size_t end) {
-            BallWalk walk(distorted, around);
-            for (std::size_t v = begin; v < end; ++v) {
-                const Window window =
-                    window_at(distorted, walk, static_cast<Index>(v), h, options.spread * h, c, c_hat);
-                field[v] += local_distance(window, options) / static_cast<double>(options.scales.size());
-            }
-        });
+    /// Curvatures and matches of the vertices; S is `side`.
+    std::vector<WindowSample> samples(const TriangleMesh& distorted, const EdgeGraph& around,
+                                      double side) const;
+
+    /// Local distances at every k-th used vertex, with k = `stride`.
+    std::vector<double> local(const TriangleMesh& distorted, const EdgeGraph& around,
+                              const std::vector<Index>& used, std::size_t stride) const;
+
+    /// Calls measure with the edges of a mesh, which may be those of the reference.
+    template<typename Measure>
+    auto with_graph(const TriangleMesh& distorted, Measure&& measure) const {
+        if (distorted.triangles == tree.mesh().triangles &&
+            distorted.positions.size() == tree.mesh().positions.size())
+            return measure(graph);
+        return measure(EdgeGraph(distorted));
     }
-    return field;
+};
+
+std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
+                                                   double side) const {
+    const PerScale radii = times(side * options.curvature_ratio, options.scales);
+    const std::vector<PerScale> of_distorted = curvature_magnitudes(distorted, around, radii);
+    const std::vector<PerScale> of_reference = curvature_magnitudes(tree.mesh(), graph, radii);
+    const bool same_triangles = &around == &graph;
+    std::vector<WindowSample> samples(distorted.positions.size());
+    parallel_blocks(samples.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const Vec3& p = distorted.positions[v];
+            // A vertex that moved a little lies close to the triangles that it belonged to.
+            const ClosestPoint match =
+                same_triangles ? tree.closest(p, graph.triangles_at(v)) : tree.closest(p);
+            samples[v] = {match.position, times(side, of_distorted[v]),
+                          times(side, blend(tree.mesh(), match.at.triangle, of_reference, p))};
+        }
+    });
+    return samples;
 }
 
-double msdm2(const SurfaceTree& a, const SurfaceTree& b, const Msdm2Options& options) {
-    const double forward = minkowski_mean(b.mesh(), msdm2_field(b.mesh(), a, options), options.exponent);
-    const double backward = minkowski_mean(a.mesh(), msdm2_field(a.mesh(), b, options), options.exponent);
-    return (forward + backward) / 2;
+std::vector<double> Msdm2::Prepared::local(const TriangleMesh& distorted, const EdgeGraph& around,
+                                           const std::vector<Index>& used, std::size_t stride) const {
+    const Box box = surface_box(distorted);
+    const double side = (box.max - box.min).maxCoeff();
+    const PerScale radii = times(side, options.scales);
+    const std::vector<WindowSample> of_vertices = samples(distorted, around, side);
+    std::vector<double> local((used.size() + stride - 1) / stride);
+    parallel_blocks(local.size(), walk_block(local.size()), [&](std::size_t begin, std::size_t end) {
+        Msdm2Windows windows(distorted, around, of_vertices, radii, options);
+        for (std::size_t i = begin; i < end; ++i)
+            local[i] = windows.local_distance(used[i * stride]);
+    });
+    return local;
+}
+
+Msdm2::Msdm2(const SurfaceTree& reference, const Msdm2Options& options)
+    : prepared_(new Prepared{reference, options, EdgeGraph(reference.mesh())}) {}
+
+Msdm2::~Msdm2() = default;
+Msdm2::Msdm2(Msdm2&&) noexcept = default;
+Msdm2& Msdm2::operator=(Msdm2&&) noexcept = default;
+
+double Msdm2::distance(const TriangleMesh& distorted) const {
+    const Msdm2Options& options = prepared_->options;
+    return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
+        const std::vector<Index> used = used_vertices(distorted, around);
+        const std::size_t stride =
+            options.most_windows == 0 ? 1 : (used.size() + options.most_windows - 1) / options.most_windows;
+        return minkowski_mean(prepared_->local(distorted, around, used, stride), options.exponent);
+    });
+}
+
+std::vector<double> Msdm2::field(const TriangleMesh& distorted) const {
+    return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
+        const std::vector<Index> used = used_vertices(distorted, around);
+        const std::vector<double> local = prepared_->local(distorted, around, used, 1);
+        std::vector<double> field(distorted.positions.size(), 0.0);
+        for (std::size_t i = 0; i < used.size(); ++i)
+            field[used[i]] = local[i];
+        return field;
+    });
+}
+
+double msdm2_mean(const TriangleMesh& distorted, const std::vector<double>& local, double exponent) {
+    std::vector<char> used(local.size(), 0);
+    for (const Triangle& t : distorted.triangles)
+        for (Index v : t)
+            used[v] = 1;
+    std::vector<double> of_used;
+    for (std::size_t v = 0; v < local.size(); ++v)
+        if (used[v])
+            of_used.push_back(local[v]);
+    return minkowski_mean(of_used, exponent);
 }
 
 } // namespace wm3d::metrics

@@ -3,50 +3,27 @@
 
 #include <vector>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <wm3d/core/error.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "closest_on_triangle.hpp"
+#include "triangle_boxes.hpp"
 
 namespace wm3d::metrics {
 
-// Plain doubles: a query only chooses a triangle, the point on it is computed afterwards.
-using Kernel = CGAL::Simple_cartesian<double>;
-using Facets = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Facets::const_iterator>;
-using Boxes = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-
-struct SurfaceTree::Tree {
-    Facets facets;
-    std::vector<Index> triangle_of; ///< #facets
-    Boxes boxes;
-};
-
-SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh), tree_(std::make_unique<Tree>()) {
-    const auto point = [&](Index v) {
-        const Vec3& p = mesh.positions[v];
-        return Kernel::Point_3(p[0], p[1], p[2]);
-    };
-    tree_->facets.reserve(mesh.triangles.size());
+SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
+    std::vector<TriangleBoxes::Corners> triangles;
+    triangles.reserve(mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f) {
         const Triangle& t = mesh.triangles[f];
-        if (!(area_vector(mesh, f).norm() > 0))
-            continue;
-        tree_->facets.emplace_back(point(t[0]), point(t[1]), point(t[2]));
-        tree_->triangle_of.push_back(f);
+        if (area_vector(mesh, f).norm() > 0)
+            triangles.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f});
     }
-    if (tree_->facets.empty())
+    if (triangles.empty())
         throw GeometryError(
             "the mesh has no triangle with an area, so no distance to it can be measured; check "
             "that the file holds the model that you mean");
-    tree_->boxes.insert(tree_->facets.cbegin(), tree_->facets.cend());
-    tree_->boxes.build();
-    tree_->boxes.accelerate_distance_queries(); // now, since queries may come from several threads
+    boxes_ = std::make_unique<TriangleBoxes>(std::move(triangles));
 }
 
 SurfaceTree::~SurfaceTree() = default;
@@ -54,12 +31,20 @@ SurfaceTree::SurfaceTree(SurfaceTree&&) noexcept = default;
 SurfaceTree& SurfaceTree::operator=(SurfaceTree&&) noexcept = default;
 
 ClosestPoint SurfaceTree::closest(const Vec3& query) const {
-    const auto found = tree_->boxes.closest_point_and_primitive({query[0], query[1], query[2]});
+    return closest(query, {});
+}
+
+ClosestPoint SurfaceTree::closest(const Vec3& query, std::span<const Index> likely) const {
+    const auto corner = [&](Index f, std::size_t k) -> const Vec3& {
+        return mesh_->positions[mesh_->triangles[f][k]];
+    };
+    NearestTriangle known;
+    for (Index f : likely)
+        if (area_vector(*mesh_, f).norm() > 0)
+            improve(known, f, squared_distance_to_triangle(query, corner(f, 0), corner(f, 1), corner(f, 2)));
     ClosestPoint closest;
-    closest.at.triangle = tree_->triangle_of[static_cast<std::size_t>(found.second - tree_->facets.cbegin())];
-    const Triangle& t = mesh_->triangles[closest.at.triangle];
-    closest.at.barycentric =
-        closest_on_triangle(query, mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]);
+    const Index f = closest.at.triangle = boxes_->nearest(query, known).triangle;
+    closest.at.barycentric = closest_on_triangle(query, corner(f, 0), corner(f, 1), corner(f, 2));
     closest.position = evaluate(*mesh_, closest.at);
     closest.distance = (closest.position - query).norm();
     return closest;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <wm3d/core.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 
@@ -35,6 +36,7 @@ TEST_CASE("a mesh is at distance 0 of itself") {
     CHECK(r.area_change == 0);
     CHECK(r.volume_change.value() == 0);
     CHECK(r.msdm2.value() < 1e-6);
+    CHECK(r.msdm2_both.value() < 1e-6);
 }
 
 TEST_CASE("a translated mesh moved by the translation, and less along its normals") {
@@ -53,6 +55,7 @@ TEST_CASE("a translated mesh moved by the translation, and less along its normal
           doctest::Approx(f.normal_rms).epsilon(0.05)); // to first order, surfaces move along normals
     CHECK(r.volume_change.value() == doctest::Approx(0));
     CHECK_FALSE(r.msdm2);
+    CHECK_FALSE(r.msdm2_both);
 }
 
 TEST_CASE("concentric spheres: distances, volume, area, SNR") {
@@ -79,6 +82,16 @@ TEST_CASE("MRMS and Hausdorff are symmetric and their percents free of scale") {
     CHECK(forward.hausdorff >= forward.mrms);
     const Report large = compare(scaled(a, 1000), scaled(b, 1000), {20'000, false});
     CHECK(large.percent(large.mrms) == doctest::Approx(forward.percent(forward.mrms)).epsilon(1e-6));
+}
+
+TEST_CASE("MSDM2 is that of the second mesh against the first, and both ways beside it") {
+    const TriangleMesh a = shapes::blob(2000, 1), b = shapes::blob(1500, 1);
+    const Report forward = compare(a, b, {1000}), backward = compare(b, a, {1000});
+    const SurfaceTree tree(a);
+    CHECK(*forward.msdm2 == Msdm2(tree).distance(b));
+    CHECK(*forward.msdm2 != *backward.msdm2);
+    CHECK(*forward.msdm2_both == (*forward.msdm2 + *backward.msdm2) / 2);
+    CHECK(*backward.msdm2_both == doctest::Approx(*forward.msdm2_both).epsilon(1e-12));
 }
 
 TEST_CASE("a part that is missing shows in one direction only") {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <doctest/doctest.h>
+#include <wm3d/core.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 
@@ -23,8 +24,24 @@ TriangleMesh roughened(const TriangleMesh& mesh, double percent) {
     return rough;
 }
 
-double distance(const TriangleMesh& a, const TriangleMesh& b) {
-    return msdm2(SurfaceTree(a), SurfaceTree(b));
+double distance(const TriangleMesh& reference, const TriangleMesh& distorted) {
+    const SurfaceTree tree(reference);
+    return Msdm2(tree).distance(distorted);
+}
+
+std::vector<double> field(const TriangleMesh& reference, const TriangleMesh& distorted) {
+    const SurfaceTree tree(reference);
+    return Msdm2(tree).field(distorted);
+}
+
+/// The same surface with other numbers of vertices and triangles.
+TriangleMesh renumbered(const TriangleMesh& mesh) {
+    const auto count = static_cast<Index>(mesh.positions.size());
+    TriangleMesh result;
+    result.positions.assign(mesh.positions.rbegin(), mesh.positions.rend());
+    for (const Triangle& t : mesh.triangles)
+        result.triangles.push_back({count - 1 - t[1], count - 1 - t[2], count - 1 - t[0]});
+    return result;
 }
 
 } // namespace
@@ -50,17 +67,17 @@ TEST_CASE("a smooth change of the same size is seen less than a rough one") {
     CHECK(distance(mesh, stretched) < 0.3 * distance(mesh, roughened(mesh, 0.2)));
 }
 
-TEST_CASE("it is symmetric and free of scale") {
+TEST_CASE("it is free of scale and of the numbering") {
     const TriangleMesh mesh = shapes::blob(5000, 1);
     const TriangleMesh rough = roughened(mesh, 0.1);
     const auto scaled = [](TriangleMesh m) {
         for (Vec3& p : m.positions)
-            p *= 1000;
+            p *= 1024; // exactly: which edges lead outwards must not hang on rounding
         return m;
     };
     const double d = distance(mesh, rough);
-    CHECK(distance(rough, mesh) == doctest::Approx(d).epsilon(0.02)); // windows are shares of the first box
     CHECK(distance(scaled(mesh), scaled(rough)) == doctest::Approx(d).epsilon(1e-6));
+    CHECK(distance(mesh, renumbered(rough)) == doctest::Approx(d).epsilon(1e-9));
 }
 
 TEST_CASE("two spheres have the value that the formulas give") {
@@ -70,10 +87,63 @@ TEST_CASE("two spheres have the value that the formulas give") {
     Msdm2Options options;
     options.scales = {0.10, 0.12, 0.14};
     options.curvature_ratio = 0.8;
-    const double forward = (2 - 2 / growth) / (2 + 1);           // S = 2: C = 2 / growth against 2
-    const double backward = (2 * growth - 2) / (2 * growth + 1); // S = 2 growth: C = 2 growth against 2
-    const double expected = (forward + backward) / 2 / (1 + 1 + 0.5);
-    CHECK(msdm2(SurfaceTree(unit), SurfaceTree(larger), options) == doctest::Approx(expected).epsilon(0.02));
+    const SurfaceTree small_tree(unit), large_tree(larger);
+    const double outwards = (2 * growth - 2) / (2 * growth + 1); // S = 2 growth: C = 2, C^ = 2 growth
+    const double inwards = (2 - 2 / growth) / (2 + 1);           // S = 2: C = 2, C^ = 2 / growth
+    const double parts = 1 + 1 + 0.5;
+    CHECK(Msdm2(small_tree, options).distance(larger) == doctest::Approx(outwards / parts).epsilon(0.02));
+    CHECK(Msdm2(large_tree, options).distance(unit) == doctest::Approx(inwards / parts).epsilon(0.02));
+}
+
+TEST_CASE("one reference serves many meshes, of its triangles or of others") {
+    const TriangleMesh mesh = shapes::blob(8000, 1);
+    const SurfaceTree tree(mesh);
+    const Msdm2 measure(tree);
+    for (double percent : {0.02, 0.1}) {
+        const TriangleMesh rough = roughened(mesh, percent);
+        CHECK(measure.distance(rough) == distance(mesh, rough));
+        CHECK(measure.distance(renumbered(rough)) == doctest::Approx(measure.distance(rough)).epsilon(1e-9));
+    }
+    CHECK(measure.distance(mesh) < 1e-9);
+    CHECK(measure.distance(shapes::blob(3000, 1)) > 0);
+    CHECK_THROWS_AS(measure.distance(TriangleMesh{}), GeometryError);
+}
+
+TEST_CASE("the distance is the mean of the field over the vertices of triangles") {
+    const TriangleMesh mesh = shapes::blob(4000, 1);
+    TriangleMesh rough = roughened(mesh, 0.1);
+    const double before = distance(mesh, rough);
+    rough.positions.emplace_back(100, 0, 0); // isolated: no part of the surface
+    rough.positions.emplace_back(0, 0, 0);
+    const std::vector<double> local = field(mesh, rough);
+    CHECK(local.size() == rough.positions.size());
+    CHECK(local.back() == 0);
+    CHECK(msdm2_mean(rough, local) == doctest::Approx(before).epsilon(1e-12));
+    CHECK(distance(mesh, rough) == doctest::Approx(before).epsilon(1e-12));
+}
+
+TEST_CASE("fewer windows estimate the same distance") {
+    const TriangleMesh mesh = shapes::blob(20000, 1);
+    const TriangleMesh rough = roughened(mesh, 0.05);
+    Msdm2Options some;
+    some.most_windows = 4000;
+    const SurfaceTree tree(mesh);
+    const double estimate = Msdm2(tree, some).distance(rough), full = Msdm2(tree).distance(rough);
+    CHECK(estimate != full);
+    CHECK(estimate == doctest::Approx(full).epsilon(0.02));
+    some.most_windows = 1'000'000;
+    CHECK(Msdm2(tree, some).distance(rough) == full);
+}
+
+TEST_CASE("the bytes are the same at any number of threads") {
+    const TriangleMesh mesh = shapes::blob(9000, 1);
+    const TriangleMesh rough = roughened(mesh, 0.1);
+    const auto on = [&](std::size_t threads) {
+        const ThreadLimit limit(threads);
+        return std::pair(distance(mesh, rough), field(mesh, rough));
+    };
+    CHECK(on(1) == on(2));
+    CHECK(on(1) == on(7));
 }
 
 TEST_CASE("turning and moving both meshes changes nothing but the box") {
@@ -97,13 +167,13 @@ TEST_CASE("roughness hides noise: the same noise is seen less where the surface 
         ground.positions[v] += roughness * unit * normals[v];
         noisy.positions[v] = ground.positions[v] + noise * unit * normals[v];
     }
-    const std::vector<double> field = msdm2_field(noisy, SurfaceTree(ground));
+    const std::vector<double> local = field(ground, noisy);
     double rough = 0, smooth = 0;
     std::size_t rough_count = 0, smooth_count = 0;
-    for (std::size_t v = 0; v < field.size(); ++v) {
+    for (std::size_t v = 0; v < local.size(); ++v) {
         if (std::abs(mesh.positions[v][2]) < 0.1)
             continue; // between the halves
-        (mesh.positions[v][2] > 0 ? rough : smooth) += field[v];
+        (mesh.positions[v][2] > 0 ? rough : smooth) += local[v];
         ++(mesh.positions[v][2] > 0 ? rough_count : smooth_count);
     }
     CHECK(rough / static_cast<double>(rough_count) < 0.7 * smooth / static_cast<double>(smooth_count));
@@ -115,10 +185,10 @@ TEST_CASE("local distances say where") {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         if (mesh.positions[v][2] > 0)
             half.positions[v] = mesh.positions[v];
-    const std::vector<double> field = msdm2_field(half, SurfaceTree(mesh));
+    const std::vector<double> local = field(mesh, half);
     double above = 0, below = 0;
-    for (std::size_t v = 0; v < field.size(); ++v)
-        (mesh.positions[v][2] > 0.1 ? above : below) += field[v];
+    for (std::size_t v = 0; v < local.size(); ++v)
+        (mesh.positions[v][2] > 0.1 ? above : below) += local[v];
     CHECK(above < 0.01 * below);
-    CHECK(*std::max_element(field.begin(), field.end()) < 1.2); // (1 + 1 + 0.5 * 2) / 2.5
+    CHECK(*std::max_element(local.begin(), local.end()) < 1.2); // (1 + 1 + 0.5 * 2) / 2.5
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include <doctest/doctest.h>
+#include <wm3d/core.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 

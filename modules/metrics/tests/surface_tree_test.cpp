@@ -2,6 +2,7 @@
 #include <wm3d/metrics/surface_tree.hpp>
 
 #include <doctest/doctest.h>
+#include <wm3d/core.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 

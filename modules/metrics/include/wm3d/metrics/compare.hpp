@@ -12,7 +12,7 @@ namespace wm3d::metrics {
 
 struct Options {
     std::size_t samples = 200'000; ///< on each surface, at least one per triangle
-    bool perceptual = true;        ///< also compute MSDM2
+    bool perceptual = true;        ///< also compute MSDM2, both ways
     Msdm2Options msdm2{};
 };
 
@@ -37,7 +37,9 @@ struct Report {
     double normal_deviation = 0;           ///< mean of the two one-sided mean angles between normals, degrees
     double area_change = 0;                ///< of the second area against the first, %
     std::optional<double> volume_change; ///< of the second volume against the first, %, where both are closed
-    std::optional<double> msdm2;         ///< perceptual distance, 0 to 1, where asked for
+    std::optional<double>
+        msdm2; ///< of the second mesh against the first, the published figure, where asked for
+    std::optional<double> msdm2_both; ///< mean of that and the first against the second
 
     double percent(double length) const { return 100 * length / diagonal; }
 };

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  MSDM2, a perceptual distance between meshes: G. Lavoue, "A multiscale metric for 3D mesh visual
-/// quality assessment", Computer Graphics Forum 30 (2011). Written from the description in the paper; values
-/// are comparable with published ones in kind, not digit by digit.
+/// quality assessment", Computer Graphics Forum 30 (2011), as its authors' program computes it.
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
@@ -12,35 +12,64 @@
 
 namespace wm3d::metrics {
 
-/// Lengths are shares of the longest side of the reference's bounding box, S.
+/// The defaults are the published ones. Lengths are shares of S, the longest side of the distorted mesh's
+/// box.
 struct Msdm2Options {
     std::array<double, 3> scales{0.010, 0.015, 0.020}; ///< h_i / S, radii of the windows
     double curvature_ratio = 0.2;                      ///< curvature radius r_i / h_i
-    double spread = 1.0 / 3;                           ///< deviation of the windows' Gaussian / h_i
+    double spread = 0.5;                               ///< deviation of the windows' Gaussian / h_i
     double weight_luminance = 1;                       ///< alpha, weight of the difference of the means
     double weight_contrast = 1;                        ///< beta, weight of the difference of the deviations
     double weight_structure = 0.5;                     ///< gamma, weight of the lack of covariance
     double stabilizer = 1;                             ///< K, added to the denominators
     double exponent = 3;                               ///< p of Minkowski's mean over the vertices
+    /// Most windows that `distance` opens, at every k-th vertex of a triangle; 0 opens one at each. Fewer
+    /// make an estimate of it: on meshes of a million triangles nearly all the time goes into windows.
+    std::size_t most_windows = 0;
 };
 
-/// One-sided local distances, #V of `distorted`, >= 0. L and D stay below 1; T reaches 2 where C and C^ are
-/// opposed.
+/// One-sided MSDM2 of distorted meshes from one reference. What follows from the reference alone is made
+/// once; for a mesh of the reference's triangles that includes the edges and where to look for closest
+/// points.
 ///
-/// At each scale h: C(v) = S (|k1| + |k2|) / 2 with the principal curvatures k of the tensor of D.
-/// Cohen-Steiner and J.-M. Morvan (2003) in the ball of radius r; C^(v) is the reference's C, interpolated at
-/// its point closest to v. Over the vertices of the window of radius h around v, weighted by a Gaussian of
-/// deviation `spread` h, mu and sigma are mean and deviation of C, mu^ and sigma^ those of C^, and sigma_c
-/// their covariance. Then
+/// At each scale h = h_i, at each vertex v of the distorted mesh: C(v) = S (|k1| + |k2|) / 2 with the
+/// principal curvatures k of the tensor of D. Cohen-Steiner and J.-M. Morvan (2003) in the ball of radius r;
+/// m(v), the point of the reference closest to v; C^(v), the reference's C at the corners of the triangle of
+/// m(v), weighted by the areas that v spans with the sides opposite. The window of v holds v, the vertices q
+/// that a walk outwards from v reaches within h, and the points where it leaves the sphere of radius h,
+/// between whose ends all quantities are interpolated. With Gaussian weights of the deviation `spread` h, w
+/// of |q - v| and w^ of |m(q) - m(v)|, mu and sigma are mean and deviation of C under w, mu^ and sigma^ those
+/// of C^ under w^, and sigma_c = sum w^ (C - mu)(C^ - mu^) / sum w. Then
 ///     L = |mu - mu^| / (max(mu, mu^) + K)
 ///     D = |sigma - sigma^| / (max(sigma, sigma^) + K)
 ///     T = |sigma sigma^ - sigma_c| / (sigma sigma^ + K)
-///     local = (alpha L + beta D + gamma T) / (alpha + beta + gamma), averaged over the scales.
-std::vector<double> msdm2_field(const TriangleMesh& distorted, const SurfaceTree& reference,
-                                const Msdm2Options& options = {});
+///     local = (alpha L + beta D + gamma T) / (alpha + beta + gamma), averaged over the scales,
+/// and the distance is Minkowski's mean of exponent p of the local ones over the vertices of triangles.
+///
+/// The same bytes at any number of threads. Calls may run at the same time.
+class Msdm2 {
+public:
+    /// The tree and its mesh must outlive the object.
+    explicit Msdm2(const SurfaceTree& reference, const Msdm2Options& options = {});
+    ~Msdm2();
+    Msdm2(Msdm2&&) noexcept;
+    Msdm2& operator=(Msdm2&&) noexcept;
 
-/// Minkowski's mean of the local distances of exponent p, weighted by vertex areas, averaged over both
-/// directions: 0 for the same surface, towards 1 where nothing agrees.
-double msdm2(const SurfaceTree& a, const SurfaceTree& b, const Msdm2Options& options = {});
+    /// 0 for the reference itself, towards 1 where nothing agrees.
+    /// \throw GeometryError  if the mesh has no triangle
+    double distance(const TriangleMesh& distorted) const;
+
+    /// The local distances, #V of `distorted`, >= 0; 0 at vertices without a triangle. L and D stay below 1;
+    /// T reaches 2 where C and C^ are opposed. \throw GeometryError  if the mesh has no triangle
+    std::vector<double> field(const TriangleMesh& distorted) const;
+
+private:
+    struct Prepared;
+    std::unique_ptr<Prepared> prepared_;
+};
+
+/// Minkowski's mean of local distances over the vertices of triangles: `distance` from a `field`.
+/// \pre  local has #V entries
+double msdm2_mean(const TriangleMesh& distorted, const std::vector<double>& local, double exponent = 3);
 
 } // namespace wm3d::metrics

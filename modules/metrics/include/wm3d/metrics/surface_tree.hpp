@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
@@ -15,8 +16,8 @@ struct ClosestPoint {
     double distance = 0; ///< in units of the mesh
 };
 
-/// A tree of boxes over the triangles of a mesh (CGAL's AABB tree). Triangles without area are left out.
-/// Queries may run on several threads. The mesh must outlive the tree.
+/// A tree of boxes over the triangles of a mesh. Triangles without area are left out. Queries may run on
+/// several threads. The mesh must outlive the tree.
 class SurfaceTree {
 public:
     /// \throw GeometryError  if the mesh has no triangle with an area
@@ -25,14 +26,17 @@ public:
     SurfaceTree(SurfaceTree&&) noexcept;
     SurfaceTree& operator=(SurfaceTree&&) noexcept;
 
+    /// Of triangles that are equally close, that of lowest number.
     ClosestPoint closest(const Vec3& query) const;
+
+    /// The same point, found sooner where one of the triangles `likely` is close to the query.
+    ClosestPoint closest(const Vec3& query, std::span<const Index> likely) const;
 
     const TriangleMesh& mesh() const { return *mesh_; }
 
 private:
-    struct Tree;
     const TriangleMesh* mesh_;
-    std::unique_ptr<Tree> tree_;
+    std::unique_ptr<class TriangleBoxes> boxes_;
 };
 
 } // namespace wm3d::metrics

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  The edges of a mesh, whatever its topology, and where they lead from each vertex.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d::metrics {
+
+/// Follows from the triangles alone: meshes of the same triangles share it.
+class EdgeGraph {
+public:
+    struct Edge {
+        Index a = 0, b = 0; ///< a < b
+        /// The triangle that walks from a to b and the one that walks back; `no_index` for both where the
+        /// edge hasn't exactly these two: at borders, where three meet, and where orientations disagree.
+        Index left = no_index, right = no_index;
+    };
+
+    /// An edge as seen from one of its ends.
+    struct Way {
+        Index to = 0;
+        Index edge = 0; ///< its number
+    };
+
+    explicit EdgeGraph(const TriangleMesh& mesh);
+
+    std::span<const Edge> edges() const& { return edges_; }
+    std::span<const Edge> edges() && = delete; // would outlive what it shows
+
+    /// Edges at a vertex, ascending.
+    std::span<const Way> ways_from(std::size_t vertex) const {
+        return {ways_.data() + first_way_[vertex], first_way_[vertex + 1] - first_way_[vertex]};
+    }
+
+    /// Triangles at a vertex, ascending.
+    std::span<const Index> triangles_at(std::size_t vertex) const {
+        return {triangle_at_.data() + first_triangle_[vertex],
+                first_triangle_[vertex + 1] - first_triangle_[vertex]};
+    }
+
+private:
+    std::vector<Edge> edges_;
+    std::vector<std::size_t> first_way_, first_triangle_;
+    std::vector<Way> ways_;
+    std::vector<Index> triangle_at_;
+};
+
+/// Angle that the surface turns at every edge, #E, positive where convex; 0 at edges without two triangles
+/// that agree on the outside. As the published program of MSDM2 has it: the arcsine of the sine, so that
+/// a turn of more than 90 degrees counts as its supplement.
+std::vector<double> edge_angles(const TriangleMesh& mesh, const EdgeGraph& graph);
+
+} // namespace wm3d::metrics

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triangle_boxes.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <wm3d/core/parallel.hpp>
+
+#include "closest_on_triangle.hpp"
+
+namespace wm3d::metrics {
+
+namespace {
+
+constexpr std::size_t leaf_size = 4; // at most
+constexpr std::size_t worth_a_thread = 8192;
+
+/// The number of nodes of the least perfect tree whose leaves hold `count` triangles.
+std::size_t nodes_for(std::size_t count) {
+    std::size_t leaves = 1;
+    while (leaves * leaf_size < count)
+        leaves *= 2;
+    return 2 * leaves - 1;
+}
+
+/// Three times the centroid.
+Vec3 centre(const TriangleBoxes::Corners& t) {
+    return t.a + t.b + t.c;
+}
+
+std::size_t middle(std::size_t begin, std::size_t end) {
+    return begin + (end - begin + 1) / 2;
+}
+
+} // namespace
+
+TriangleBoxes::TriangleBoxes(std::vector<Corners> triangles)
+    : triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
+    build(0, 0, triangles_.size());
+}
+
+void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end) {
+    const auto first = triangles_.begin();
+    const auto at = [&](std::size_t i) { return first + static_cast<std::ptrdiff_t>(i); };
+    Box box{triangles_[begin].a, triangles_[begin].a};
+    Box centres{centre(triangles_[begin]), centre(triangles_[begin])};
+    std::for_each(at(begin), at(end), [&](const Corners& t) {
+        box.min = box.min.cwiseMin(t.a).cwiseMin(t.b).cwiseMin(t.c);
+        box.max = box.max.cwiseMax(t.a).cwiseMax(t.b).cwiseMax(t.c);
+        centres.min = centres.min.cwiseMin(centre(t));
+        centres.max = centres.max.cwiseMax(centre(t));
+    });
+    boxes_[node] = box;
+    if (is_leaf(node))
+        return;
+    // Half of the triangles on either side of the widest direction's median.
+    Eigen::Index axis = 0;
+    (centres.max - centres.min).maxCoeff(&axis);
+    const std::size_t half = middle(begin, end);
+    std::nth_element(at(begin), at(half), at(end), [axis](const Corners& s, const Corners& t) {
+        const double x = centre(s)[axis], y = centre(t)[axis];
+        return x < y || (x == y && s.triangle < t.triangle);
+    });
+    const auto left = [&] { build(2 * node + 1, begin, half); };
+    const auto right = [&] { build(2 * node + 2, half, end); };
+    if (end - begin > worth_a_thread)
+        parallel_invoke(left, right);
+    else {
+        left();
+        right();
+    }
+}
+
+NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known) const {
+    struct Pending {
+        std::size_t node, begin, end;
+        double square; ///< of the distance to the node's box
+    };
+    std::array<Pending, 64> stack; // the tree is balanced: never deeper than the bits of a count
+    std::size_t size = 0;
+    stack[size++] = {0, 0, triangles_.size(), boxes_[0].squared_distance(query)};
+    while (size > 0) {
+        const Pending at = stack[--size];
+        if (at.square > known.square)
+            continue;
+        if (is_leaf(at.node)) {
+            for (std::size_t i = at.begin; i < at.end; ++i) {
+                const Corners& t = triangles_[i];
+                improve(known, t.triangle, squared_distance_to_triangle(query, t.a, t.b, t.c));
+            }
+            continue;
+        }
+        const std::size_t left = 2 * at.node + 1, half = middle(at.begin, at.end);
+        Pending near{left, at.begin, half, boxes_[left].squared_distance(query)};
+        Pending far{left + 1, half, at.end, boxes_[left + 1].squared_distance(query)};
+        if (far.square < near.square)
+            std::swap(near, far);
+        if (far.square <= known.square)
+            stack[size++] = far;
+        if (near.square <= known.square)
+            stack[size++] = near;
+    }
+    return known;
+}
+
+} // namespace wm3d::metrics

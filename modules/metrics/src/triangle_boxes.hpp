@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  A tree of boxes over triangles.
+///
+/// Ours and not a library's, because mark builds it: libraries at hand bring a large header (CGAL), single
+/// precision (Embree), or no bound to start a search from, which saves most of the search where an answer
+/// that is nearly right is known.
+#pragma once
+
+#include <vector>
+
+#include <wm3d/mesh/types.hpp>
+
+namespace wm3d::metrics {
+
+/// A triangle and how far away it is.
+struct NearestTriangle {
+    Index triangle = no_index;
+    double square = std::numeric_limits<double>::infinity(); ///< squared distance
+};
+
+/// A perfect binary tree in one array, as in a heap: the children of node k are 2 k + 1 and 2 k + 2. Node k
+/// covers a run of triangles that follows from k, so nodes hold a box and nothing else.
+class TriangleBoxes {
+public:
+    struct Corners {
+        Vec3 a, b, c;
+        Index triangle; ///< number that the caller knows it by
+    };
+
+    /// \pre  triangles is not empty
+    explicit TriangleBoxes(std::vector<Corners> triangles);
+
+    /// The triangle closest to the query, of equally close ones that of lowest number. `known` is an answer
+    /// that may be bettered: the closer it is, the shorter the search.
+    NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
+
+private:
+    struct Box {
+        Vec3 min, max;
+        double squared_distance(const Vec3& p) const {
+            return (min - p).cwiseMax(p - max).cwiseMax(0.0).squaredNorm();
+        }
+    };
+
+    void build(std::size_t node, std::size_t begin, std::size_t end);
+    bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
+
+    std::vector<Corners> triangles_; ///< leaf by leaf
+    std::vector<Box> boxes_;         ///< one less than a power of two
+};
+
+/// The better of two answers: closer, or as close and of lower number.
+inline void improve(NearestTriangle& best, Index triangle, double square) {
+    if (square < best.square || (square == best.square && triangle < best.triangle))
+        best = {triangle, square};
+}
+
+} // namespace wm3d::metrics
