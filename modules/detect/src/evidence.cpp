@@ -135,8 +135,12 @@ std::vector<double> Evidence::seen(std::span<const double> pulled) const {
     return y;
 }
 
+std::vector<double> Evidence::weights_at(std::size_t f) const {
+    return seen(core_->pulled[f]);
+}
+
 LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {
-    return {sphere::multiply_transposed(rows, seen(core_->pulled[f])), rmax};
+    return {sphere::multiply_transposed(rows, weights_at(f)), rmax};
 }
 
 LinearStatistic Evidence::statistic(std::size_t f, const CellSamples& samples, const sphere::SparseRows& rows,
@@ -153,14 +157,19 @@ double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w
     return unit > 0 ? move / unit : 0;
 }
 
-LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows,
-                                         std::span<const double> w, double rmax, double move) const {
+std::vector<double> Evidence::mark_weights_at(std::size_t f, const sphere::SparseRows& rows,
+                                              std::span<const double> w, double move) const {
     std::vector<double> q = normal_bumps(rows, w);
     const double unit = core_->rms(q);
     for (double& x : q)
         x *= unit > 0 ? move / unit : 0;
     const std::vector<double> e = core_->high_pass(f, q); // what the mark adds to the residual
-    return {sphere::multiply_transposed(rows, seen(core_->pull(f, e))), rmax};
+    return seen(core_->pull(f, e));
+}
+
+LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows,
+                                         std::span<const double> w, double rmax, double move) const {
+    return {sphere::multiply_transposed(rows, mark_weights_at(f, rows, w, move)), rmax};
 }
 
 std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& rows,

@@ -24,21 +24,44 @@ Vec3 turned(const Vec3& p, std::size_t axis) {
     return q;
 }
 
+/// The sphere's vertices by their coordinates.
+class Directory {
+public:
+    explicit Directory(const std::vector<Vec3>& vertices) : vertices_(vertices), sorted_(vertices.size()) {
+        std::iota(sorted_.begin(), sorted_.end(), Index{0});
+        std::ranges::sort(sorted_, before, [&](Index v) -> const Vec3& { return vertices_[v]; });
+    }
+
+    Index operator[](const Vec3& p) const {
+        return *std::ranges::lower_bound(sorted_, p, before,
+                                         [&](Index v) -> const Vec3& { return vertices_[v]; });
+    }
+
+private:
+    const std::vector<Vec3>& vertices_;
+    std::vector<Index> sorted_;
+};
+
 } // namespace
 
 std::array<std::vector<Index>, 3> half_turns(const Icosphere& sphere) {
-    const std::vector<Vec3>& vertices = sphere.vertices();
-    std::vector<Index> sorted(vertices.size());
-    std::iota(sorted.begin(), sorted.end(), Index{0});
-    const auto position = [&](Index v) -> const Vec3& { return vertices[v]; };
-    std::ranges::sort(sorted, before, position);
+    const Directory vertex_at(sphere.vertices());
     std::array<std::vector<Index>, 3> turns;
     parallel_blocks(3, 1, [&](std::size_t axis, std::size_t) {
-        turns[axis].reserve(vertices.size());
-        for (const Vec3& vertex : vertices)
-            turns[axis].push_back(*std::ranges::lower_bound(sorted, turned(vertex, axis), before, position));
+        turns[axis].reserve(sphere.vertices().size());
+        for (const Vec3& vertex : sphere.vertices())
+            turns[axis].push_back(vertex_at[turned(vertex, axis)]);
     });
     return turns;
+}
+
+std::vector<Index> inversion(const Icosphere& sphere) {
+    const Directory vertex_at(sphere.vertices());
+    std::vector<Index> opposite;
+    opposite.reserve(sphere.vertices().size());
+    for (const Vec3& vertex : sphere.vertices())
+        opposite.push_back(vertex_at[-vertex]);
+    return opposite;
 }
 
 std::optional<int> half_turn_axis(const Mat3& rotation) {

@@ -35,3 +35,13 @@ TEST_CASE("half turns are told from other rotations") {
     CHECK_FALSE(sphere::half_turn_axis(Mat3::Identity()).has_value());
     CHECK_FALSE(sphere::half_turn_axis(Eigen::AngleAxisd(3, Vec3::UnitZ()).toRotationMatrix()).has_value());
 }
+
+TEST_CASE("the inversion takes every vertex to the opposite one, at every level") {
+    const sphere::Icosphere fine(4);
+    const std::vector<Index> opposite = sphere::inversion(fine);
+    for (std::size_t j = 0; j < opposite.size(); ++j)
+        CHECK(fine.vertices()[opposite[j]] == -fine.vertices()[j]);
+    const std::vector<Index> coarse = sphere::inversion(sphere::Icosphere(2));
+    CHECK(std::vector<Index>(opposite.begin(), opposite.begin() + static_cast<long>(coarse.size())) ==
+          coarse);
+}

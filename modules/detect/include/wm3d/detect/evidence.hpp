@@ -49,6 +49,15 @@ public:
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
     std::span<const double> visibility() const { return visibility_; }
 
+    /// q = diag(d.n) HP^T (a g e), #base vertices: T is the sum of q_i times the bump in the direction of vertex
+    /// i, wherever the sphere lies.
+    std::vector<double> weights_at(std::size_t f) const;
+
+    /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
+    /// radius), adds to these if it sits on this very mesh, vertex for vertex.
+    std::vector<double> mark_weights_at(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
+                                        double move) const;
+
     /// T = sum_j c_j w_j with c = B^T diag(d.n) HP^T (a g e): a the vertex areas, e the normal residual
     /// n . HP x, g its weights, HP = I - (M + tL)^-1 M.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;

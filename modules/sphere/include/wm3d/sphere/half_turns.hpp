@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  The sphere's half turns about the coordinate axes: each takes every vertex to a vertex.
+/// \file  The sphere's half turns about the coordinate axes, and its inversion: each takes every vertex to a
+/// vertex.
 #pragma once
 
 #include <array>
@@ -14,6 +15,9 @@ namespace wm3d::sphere {
 /// level is the beginning of this one, as its vertices are. \pre  the sphere's vertices come in exact pairs,
 /// as Icosphere makes them
 std::array<std::vector<Index>, 3> half_turns(const Icosphere& sphere);
+
+/// For each vertex the number of the one opposite. \pre  as `half_turns`
+std::vector<Index> inversion(const Icosphere& sphere);
 
 /// The axis, 0 to 2, of the half turn about a coordinate axis that a rotation is; none if it is no such turn.
 std::optional<int> half_turn_axis(const Mat3& rotation);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Where the sphere's centre may be, the likeliest places first.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d::search {
+
+/// A suspect as the search for its centre sees it.
+struct Outline {
+    Vec3 centroid = Vec3::Zero(); ///< of the solid, or of the surface where that encloses little
+    double radius = 1;            ///< mean distance of the surface from it
+    /// Unit vector out of the largest opening, or the mean of all openings if they sum up to more: what was
+    /// cut away lay that way. Zero if there is no opening to speak of.
+    Vec3 outwards = Vec3::Zero();
+    double opening = 0; ///< area that would close the largest border, relative to the surface
+};
+
+/// \throw GeometryError  if the mesh has no area
+Outline outline(const TriangleMesh& mesh);
+
+struct CentreOptions {
+    double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
+    double least_opening = 0.002; ///< relative area from which an opening tells a direction
+    double wide = 0.7; ///< angle from the opening's axis at which a place counts as twice as far, radians
+};
+
+/// The first `count` places of a body-centred cubic lattice around the centroid, in the coordinates of the
+/// mesh. Places count as farther away the more they lie aside of the opening. Farther out, where directions
+/// change more slowly with the centre, the lattice is wider.
+std::vector<Vec3> centres(const Outline& outline, std::size_t count, const CentreOptions& options = {});
+
+} // namespace wm3d::search

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/search/centres.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <wm3d/mesh/frame.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/topology.hpp>
+
+namespace wm3d::search {
+
+namespace {
+
+struct Place {
+    double distance; ///< as it counts
+    Vec3 at;
+};
+
+/// Distance in the warped lattice times 1 + (angle / wide)^2.
+double counted(const Vec3& u, const Vec3& outwards, double wide) {
+    const double distance = u.norm();
+    if (!(distance > 0) || outwards.isZero())
+        return distance;
+    const double angle = std::acos(std::clamp(u.dot(outwards) / distance, -1.0, 1.0));
+    return distance * (1 + angle * angle / (wide * wide));
+}
+
+/// Lattice points that count as at most `limit` away, up to what memory is good for.
+std::vector<Place> places_within(double limit, double edge, const Vec3& outwards, double wide) {
+    std::vector<Place> places;
+    const auto n = static_cast<int>(std::ceil(limit / edge));
+    for (int x = -n; x <= n; ++x)
+        for (int y = -n; y <= n; ++y)
+            for (int z = -n; z <= n; ++z)
+                for (const double half : {0.0, 0.5}) {
+                    const Vec3 u = edge * Vec3(x + half, y + half, z + half);
+                    if (const double distance = counted(u, outwards, wide); distance <= limit)
+                        places.push_back({distance, u});
+                }
+    return places;
+}
+
+} // namespace
+
+Outline outline(const TriangleMesh& mesh) {
+    const ShapeMoments moments = shape_moments(mesh);
+    const bool encloses = moments.solid.sphericity > 0.003; // the cone to the centroid closes what was cut
+    Outline result;
+    result.centroid = encloses ? moments.solid.centroid : moments.surface.centroid;
+    result.radius = mean_radius(mesh, result.centroid);
+    Vec3 sum = Vec3::Zero(), largest = Vec3::Zero();
+    for (const BorderLoop& loop : border_loops(mesh)) {
+        sum += loop.opening;
+        if (loop.opening.norm() > largest.norm())
+            largest = loop.opening;
+    }
+    result.opening = largest.norm() / moments.surface.area;
+    const Vec3 axis = sum.norm() > largest.norm() ? sum : largest;
+    if (axis.norm() > 0)
+        result.outwards = (moments.solid.volume < 0 ? -1 : 1) * axis.normalized();
+    return result;
+}
+
+std::vector<Vec3> centres(const Outline& outline, std::size_t count, const CentreOptions& options) {
+    if (count == 0)
+        return {};
+    const Vec3 outwards = outline.opening >= options.least_opening ? outline.outwards : Vec3::Zero();
+    const double edge = options.covering * 4 / std::sqrt(5.0); // of a body-centred cubic lattice
+    // The region's volume grows with the cube of its limit.
+    double limit = edge * std::cbrt(3.0 * static_cast<double>(count) / (8 * std::numbers::pi));
+    std::vector<Place> places = places_within(limit, edge, outwards, options.wide);
+    while (places.size() < count) {
+        limit *= 1.2;
+        places = places_within(limit, edge, outwards, options.wide);
+    }
+    std::ranges::stable_sort(places, {}, &Place::distance);
+    places.resize(count);
+    std::vector<Vec3> result;
+    result.reserve(count);
+    for (const Place& place : places) {
+        const double u = place.at.norm();
+        const double stretch =
+            u > 0 ? std::sinh(u) / u : 1; // dc/du = sqrt(1 + c^2), the mean distance from c
+        result.push_back(outline.centroid + outline.radius * stretch * place.at);
+    }
+    return result;
+}
+
+} // namespace wm3d::search

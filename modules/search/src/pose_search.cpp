@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/search/pose_search.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/search/refine.hpp>
+#include <wm3d/search/rotation_correlation.hpp>
+
+namespace wm3d::search {
+
+namespace {
+
+constexpr std::size_t chunk = 32; // centres between two looks at what they found
+
+/// Standard deviation of T over keys with the power of this one, degree by degree.
+double spread(const Harmonics& f, const Harmonics& w) {
+    const std::vector<double> of_f = f.power(), of_w = w.power();
+    double variance = 0;
+    for (unsigned l = 0; l < f.bandwidth; ++l)
+        variance += of_f[l] * of_w[l] / (2 * l + 1);
+    return std::sqrt(variance);
+}
+
+/// A target with what the search computes of its key.
+struct Prepared {
+    Target target;
+    Harmonics harmonics;
+    KeyFunction smooth; ///< for the first part of the refinement
+
+    Prepared(const Target& t, unsigned bandwidth)
+        : target(t), harmonics(t.key->harmonics(bandwidth)), smooth(t.key->smoothed(2)) {}
+};
+
+class Searcher {
+public:
+    Searcher(std::span<const Vec3> x, const detect::Evidence& evidence, const Accept& accept,
+             const SearchOptions& options)
+        : x_(x), evidence_(evidence), accept_(accept), options_(options), transform_(options.bandwidth),
+          correlation_(options.bandwidth, 2 * options.bandwidth) {}
+
+    void run(const Target& target, const Progress& progress, double done_before, double part);
+    void finish(const Progress& progress);
+    bool accepted() const { return outcome_.accepted; }
+    const SearchOutcome& outcome() const { return outcome_; }
+
+private:
+    struct Found {
+        Candidate candidate;
+        const Prepared* prepared = nullptr;
+    };
+
+    Found best_rotation(const Prepared& prepared, const Vec3& centre) const;
+    Candidate climbed(const Found& found, Deformation deformation) const;
+    double sigmas(const Prepared& prepared, const Pose& pose) const;
+    void refine_and_offer(const Found& found);
+    void offer(const Candidate& candidate);
+    void remember(std::vector<Found>& list, const Found& found, std::size_t most) const;
+
+    std::span<const Vec3> x_;
+    const detect::Evidence& evidence_;
+    const Accept& accept_;
+    const SearchOptions& options_;
+    HarmonicTransform transform_;
+    RotationCorrelation<float> correlation_;
+    std::map<std::pair<unsigned, bool>, Prepared> prepared_;
+    std::vector<Found> finalists_; ///< not refined yet
+    std::vector<Found> hopeful_;   ///< refined, for deformations
+    SearchOutcome outcome_;
+};
+
+void Searcher::remember(std::vector<Found>& list, const Found& found, std::size_t most) const {
+    list.push_back(found);
+    std::ranges::stable_sort(list, std::greater{}, [](const Found& f) { return f.candidate.sigmas; });
+    if (list.size() > most)
+        list.resize(most);
+}
+
+Searcher::Found Searcher::best_rotation(const Prepared& prepared, const Vec3& centre) const {
+    std::vector<Vec3> directions(x_.begin(), x_.end());
+    for (Vec3& d : directions)
+        d -= centre;
+    const std::vector<double> q = evidence_.seen_from(centre).weights_at(options_.filter);
+    Harmonics f = transform_.of_points(directions, q);
+    if (prepared.target.mirrored)
+        f = f.inverted();
+    Found found{{Pose{}, prepared.target.level, 0}, &prepared};
+    found.candidate.pose.centre = centre;
+    const double sigma = spread(f, prepared.harmonics);
+    if (!(sigma > 0))
+        return found;
+    float best = 0;
+    std::array<std::size_t, 3> at{};
+    const std::size_t n = correlation_.samples();
+    correlation_(f, prepared.harmonics, [&](std::size_t b, std::span<const float> values) {
+        const auto largest = std::ranges::max_element(values);
+        if (*largest > best) {
+            best = *largest;
+            const auto place = static_cast<std::size_t>(largest - values.begin());
+            at = {place / n, b, place % n};
+        }
+    });
+    found.candidate.sigmas = best / sigma;
+    found.candidate.pose.turn =
+        (prepared.target.mirrored ? -1.0 : 1.0) * correlation_.rotation(at[0], at[1], at[2]);
+    return found;
+}
+
+/// T of the pose over its standard deviation under random keys.
+double Searcher::sigmas(const Prepared& prepared, const Pose& pose) const {
+    std::vector<Vec3> directions(x_.size());
+    for (std::size_t i = 0; i < directions.size(); ++i)
+        directions[i] = pose.direction(x_[i]);
+    const detect::LinearStatistic t =
+        evidence_.seen_from(pose.centre)
+            .statistic(options_.filter, sphere::barycentric_rows(prepared.target.key->sphere(), directions),
+                       1);
+    return t.sigma() > 0
+               ? t.value(prepared.target.key->heights()) / (t.sigma() * prepared.target.key->limit())
+               : 0;
+}
+
+Candidate Searcher::climbed(const Found& found, Deformation deformation) const {
+    const Prepared& prepared = *found.prepared;
+    Candidate result = found.candidate;
+    result.pose.deformation = deformation;
+    const std::vector<double> q = evidence_.seen_from(result.pose.centre).weights_at(options_.filter);
+    RefineOptions options;
+    options.iterations = deformation == Deformation::none ? 25 : 60;
+    result.pose = refine(x_, q, prepared.smooth, result.pose, options).pose;
+    const std::vector<double> q_there = evidence_.seen_from(result.pose.centre).weights_at(options_.filter);
+    options.iterations *= 2;
+    result.pose = refine(x_, q_there, *prepared.target.key, result.pose, options).pose;
+    result.sigmas = sigmas(prepared, result.pose);
+    return result;
+}
+
+void Searcher::offer(const Candidate& candidate) {
+    if (candidate.sigmas > outcome_.best.sigmas || outcome_.refined == 1)
+        outcome_.best = candidate;
+    if (candidate.sigmas >= options_.convincing && accept_(candidate)) {
+        outcome_.best = candidate;
+        outcome_.accepted = true;
+    }
+}
+
+void Searcher::refine_and_offer(const Found& found) {
+    const Candidate better = climbed(found, Deformation::none);
+    ++outcome_.refined;
+    remember(hopeful_, {better, found.prepared}, options_.finalists);
+    offer(better);
+}
+
+void Searcher::run(const Target& target, const Progress& progress, double done_before, double part) {
+    const auto [entry, is_new] =
+        prepared_.try_emplace({target.level, target.mirrored}, target, options_.bandwidth);
+    const Prepared& prepared = entry->second;
+    for (std::size_t begin = 0; begin < target.centres.size() && !accepted(); begin += chunk) {
+        notify(progress, "searching all poses",
+               done_before + part * static_cast<double>(begin) / static_cast<double>(target.centres.size()));
+        const std::size_t count = std::min(chunk, target.centres.size() - begin);
+        std::vector<Found> found(count);
+        parallel_blocks(count, 1, [&](std::size_t k, std::size_t) {
+            found[k] = best_rotation(prepared, target.centres[begin + k]);
+        });
+        outcome_.centres += count;
+        outcome_.rotations += static_cast<double>(count) * std::pow(correlation_.samples(), 3);
+        std::ranges::stable_sort(found, std::greater{}, [](const Found& f) { return f.candidate.sigmas; });
+        // Neighbouring centres see the same peak: the highest two of a chunk are enough.
+        for (std::size_t k = 0; k < found.size() && !accepted(); ++k) {
+            if (k < 2 && found[k].candidate.sigmas >= options_.promising)
+                refine_and_offer(found[k]);
+            else
+                remember(finalists_, found[k], options_.finalists);
+        }
+    }
+}
+
+void Searcher::finish(const Progress& progress) {
+    for (std::size_t k = 0; k < finalists_.size() && !accepted(); ++k) {
+        notify(progress, "refining poses", static_cast<double>(k) / static_cast<double>(finalists_.size()));
+        refine_and_offer(finalists_[k]);
+    }
+    const std::vector<Found> starts = hopeful_;
+    for (std::size_t k = 0; k < starts.size() && !accepted(); ++k) {
+        Found at = starts[k];
+        for (const Deformation deformation : {Deformation::affine, Deformation::bent}) {
+            if (accepted() || options_.deformation < deformation || at.candidate.sigmas < options_.hopeful)
+                break;
+            notify(progress, "undoing deformations",
+                   static_cast<double>(k) / static_cast<double>(starts.size()));
+            at.candidate = climbed(at, deformation);
+            ++outcome_.refined;
+            offer(at.candidate);
+        }
+    }
+}
+
+} // namespace
+
+double expected_sigmas(std::span<const Vec3> x, const detect::Evidence& evidence,
+                       std::span<const double> mark, const KeyFunction& key, double off,
+                       const SearchOptions& options) {
+    const Vec3 centre = off * Vec3(2, -1, 2) / 3;
+    const double half_sample = std::numbers::pi / (2.0 * options.bandwidth);
+    const Mat3 turn = Eigen::AngleAxisd(half_sample, Vec3(1, 2, -2) / 3).toRotationMatrix();
+    std::vector<Vec3> directions(x.begin(), x.end());
+    for (Vec3& d : directions)
+        d = turn * (d - centre);
+    const HarmonicTransform transform(options.bandwidth);
+    const Harmonics of_mark = transform.of_points(directions, mark),
+                    of_key = key.harmonics(options.bandwidth);
+    std::vector<double> q = evidence.seen_from(centre).weights_at(options.filter);
+    for (std::size_t i = 0; i < q.size(); ++i)
+        q[i] += mark[i];
+    const double sigma = spread(transform.of_points(directions, q), of_key);
+    double t = 0;
+    for (unsigned l = 0; l < options.bandwidth; ++l)
+        for (unsigned m = 0; m <= l; ++m)
+            t += (m == 0 ? 1 : 2) * (std::conj(of_key(l, m)) * of_mark(l, m)).real();
+    return sigma > 0 ? t / sigma : 0;
+}
+
+SearchOutcome search_poses(std::span<const Vec3> x, const detect::Evidence& evidence,
+                           std::span<const Target> targets, const Accept& accept,
+                           const SearchOptions& options, const Progress& progress) {
+    Searcher searcher(x, evidence, accept, options);
+    double all = 0, done = 0;
+    for (const Target& target : targets)
+        all += static_cast<double>(target.centres.size());
+    for (const Target& target : targets) {
+        if (searcher.accepted())
+            break;
+        const double part = static_cast<double>(target.centres.size()) / std::max(all, 1.0);
+        searcher.run(target, progress, done, part);
+        done += part;
+    }
+    if (!searcher.accepted())
+        searcher.finish(progress);
+    return searcher.outcome();
+}
+
+} // namespace wm3d::search
