@@ -70,8 +70,8 @@ std::vector<std::string> notes(const Facts& facts) {
     if (!facts.frame)
         notes.emplace_back("The surface has no area, so it can't be marked.");
     else if (facts.frame->gap(0) < 0.02 || facts.frame->gap(1) < 0.02)
-        notes.emplace_back(
-            "Two principal axes are nearly equal: a turned copy may need --resync or a reference.");
+        notes.emplace_back("Two principal axes are nearly equal: verify searches all turns of a copy, which "
+                           "takes it a few seconds.");
     if (facts.frame && facts.coordinate_step > 1e-4 * facts.box.diagonal())
         notes.emplace_back("The file's coordinates are coarse: a weak mark would be lost in their rounding.");
     if (t.non_manifold_edges + t.misoriented_edges > 0)

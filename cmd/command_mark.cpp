@@ -39,14 +39,6 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
             result.coordinate_step, result.marked.distortion.normal_rms));
 }
 
-/// Tells at once what a thief could make of the shape.
-void warn_if_ambiguous(const watermark::MarkedModel& result, const MarkArguments& arguments, Output& output) {
-    if (result.ambiguity != resync::Ambiguity::none && arguments.receipt.empty())
-        output.warn(fmt::format("{}: {}; a rotated copy may not be found by the key alone, so keep a receipt "
-                                "(--receipt FILE), by which it can be",
-                                display_name(arguments.files.input), resync::describe(result.ambiguity)));
-}
-
 void write(const watermark::MarkedModel& result, const io::Model& model, const key::Key& key,
            const MarkArguments& arguments, Output& output) {
     const io::WriteOptions options{.overwrite = arguments.files.overwrite};
@@ -142,7 +134,6 @@ int run(const MarkArguments& arguments, Output& output) {
     const watermark::MarkedModel result =
         watermark::mark_model(model, key, model_options(arguments, model, key, output), output.progress());
     warn_if_too_coarse(result, output);
-    warn_if_ambiguous(result, arguments, output);
     if (result.loss != watermark::Loss::none) {
         output.fail(fmt::format("{}: {}", arguments.files.input,
                                 watermark::describe_loss(result, arguments.options.pf)));

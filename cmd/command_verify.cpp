@@ -62,14 +62,28 @@ std::string power_of_ten(double log10_p) {
     return fmt::format("{:.1f}e{:.0f}", std::pow(10, log10_p - exponent), exponent);
 }
 
+/// What keeps a search from ruling out a mark.
+std::string search_limits(const watermark::VerifyReport& report) {
+    if (!report.search || report.search->centres == 0)
+        return ", and the rest alone doesn't tell where the mark lies (--resync search looks for it "
+               "everywhere)";
+    if (!report.search->complete)
+        return ", and the search was cut short by --effort";
+    return ", and the search would miss a mark of the usual strength on so little or so rough a surface";
+}
+
 /// Why a verdict is inconclusive, and what would help.
 std::string reason(const watermark::VerifyReport& report) {
     switch (report.doubt) {
     case watermark::Doubt::opening:
-        return fmt::format(
-            "it has an opening as large as {:.1f} % of its surface: if a part was cut off there, the "
-            "rest alone doesn't tell where the mark lies; give --receipt or --reference, which do.",
-            100 * report.largest_opening);
+        return fmt::format("it has an opening as large as {:.1f} % of its surface, so a part may have been "
+                           "cut off there{}; give "
+                           "--receipt or --reference, which tell where the mark would lie.",
+                           100 * report.largest_opening, search_limits(report));
+    case watermark::Doubt::axes:
+        return "its shape has no clear axes, and the search of all poses was too short or would miss a mark "
+               "of the "
+               "usual strength; give a larger --effort, or --receipt or --reference, which tell the pose.";
     case watermark::Doubt::alignment:
         return "it could not be aligned with what was given, so the place where the mark would lie is not "
                "known.";
@@ -85,6 +99,8 @@ std::string_view name(watermark::Doubt doubt) {
     switch (doubt) {
     case watermark::Doubt::opening:
         return "opening";
+    case watermark::Doubt::axes:
+        return "axes";
     case watermark::Doubt::alignment:
         return "alignment";
     default:
@@ -120,6 +136,22 @@ std::string sentence(const VerifyArguments& arguments, const watermark::VerifyRe
     }
 }
 
+std::string search_figures(const watermark::VerifyReport& report) {
+    if (!report.search || (report.search->centres == 0 && !report.search->pose))
+        return "";
+    const watermark::SearchReport& search = *report.search;
+    std::string text = fmt::format("\nsearch          {} centres, {:.2g} rotations in {:.1f} s",
+                                   search.centres, search.rotations, search.seconds);
+    if (!search.pose)
+        return text + fmt::format("; {:.1f} standard deviations expected there", search.expected_sigmas);
+    text += fmt::format("; the pose pays for 10^{:.1f} hypotheses", search.log10_hypotheses);
+    if (search.pose->piece)
+        text += fmt::format("; in piece {} of {}", *search.pose->piece + 1, search.pieces - 1);
+    if (search.pose->deformation != search::Deformation::none)
+        text += fmt::format("; the shape was {}", search::name(search.pose->deformation));
+    return text;
+}
+
 std::string figures(const watermark::VerifyReport& report) {
     std::string text = fmt::format(
         "log10 p         {:.2f} (family-wise, {} hypotheses)\nscore           {:.2f} standard deviations; "
@@ -138,6 +170,7 @@ std::string figures(const watermark::VerifyReport& report) {
                         "confidence {:.2f}",
                         100 * report.registration->coverage, report.registration->residual,
                         report.registration->confidence);
+    text += search_figures(report);
     const watermark::PaperReport& paper = report.paper;
     text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
                         paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
@@ -168,6 +201,32 @@ ordered_json registration_json(const resync::Registration& registration) {
             {"confidence", registration.confidence}, {"searched", registration.searched}};
 }
 
+ordered_json pose_json(const watermark::FoundPose& pose) {
+    const Frame& f = pose.frame;
+    ordered_json axes = ordered_json::array();
+    for (Eigen::Index r = 0; r < 3; ++r)
+        axes.push_back({f.axes(r, 0), f.axes(r, 1), f.axes(r, 2)});
+    ordered_json json{{"centre", {f.centroid.x(), f.centroid.y(), f.centroid.z()}},
+                      {"axes", axes},
+                      {"scale", f.scale},
+                      {"mirrored", pose.mirrored},
+                      {"deformation", search::name(pose.deformation)}};
+    if (pose.piece)
+        json["piece"] = *pose.piece;
+    return json;
+}
+
+ordered_json search_json(const watermark::SearchReport& search) {
+    ordered_json json{{"pieces", search.pieces},       {"centres", search.centres},
+                      {"rotations", search.rotations}, {"seconds", search.seconds},
+                      {"complete", search.complete},   {"expected_sigmas", search.expected_sigmas}};
+    if (search.pose) {
+        json["log10_hypotheses"] = search.log10_hypotheses;
+        json["pose"] = pose_json(*search.pose);
+    }
+    return json;
+}
+
 ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyReport& report,
                      const key::Key& key) {
     ordered_json json{{"input", arguments.files.input},
@@ -192,6 +251,11 @@ ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyRe
         json["reason"] = name(report.doubt);
     if (report.filter)
         json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
+    if (report.search) {
+        json["search"] = search_json(*report.search);
+        if (report.search->pose) // more than an integer holds
+            json["hypotheses"] = std::pow(10.0, report.search->log10_hypotheses);
+    }
     if (report.registration)
         json["registration"] = registration_json(*report.registration);
     if (!arguments.reference.empty())
@@ -246,6 +310,18 @@ std::string receipt_line(std::string_view file) {
                                             : "neither the marked file nor the original, byte for byte");
 }
 
+/// What the pose that a search found tells besides the verdict.
+void tell_pose(const VerifyArguments& arguments, const watermark::VerifyReport& report, Output& output) {
+    if (!report.search || !report.search->pose)
+        return;
+    const watermark::FoundPose& pose = *report.search->pose;
+    const std::string file = display_name(arguments.files.input);
+    if (pose.mirrored)
+        output.warn(fmt::format("{} is a mirror image of what was marked; it was examined as such", file));
+    if (pose.piece)
+        output.warn(fmt::format("the mark is on a piece of {}, not on all of it", file));
+}
+
 /// What a registration tells besides the verdict.
 void tell_alignment(const VerifyArguments& arguments, const watermark::VerifyReport& report, Output& output) {
     if (!report.registration)
@@ -277,6 +353,7 @@ int run(const VerifyArguments& arguments, Output& output) {
     const watermark::VerifyReport report =
         watermark::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
     tell_alignment(arguments, report, output);
+    tell_pose(arguments, report, output);
     const std::string name =
         key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());
     output.print(output.toned(sentence(arguments, report, name), tone(report.verdict)) + "\n");
@@ -303,12 +380,17 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
                    "whitened: exactly calibrated; paper: eq. (4) and (6) word for word [whitened]")
         ->option_text("NAME")
         ->check(CLI::IsMember({"whitened", "paper"}));
-    app.add_option("--resync", arguments.resync,
-                   "pca: principal axes, every sign; none: canonical frame alone; icp: align with what is "
-                   "given [pca; "
-                   "with --receipt or --reference both pca and icp]")
+    app.add_option(
+           "--resync", arguments.resync,
+           "pca: principal axes, every sign; search: every pose, where pca finds nothing; none: canonical "
+           "frame alone; icp: align with what is given [pca, and search where the suspect could be a part, a "
+           "scene or without clear axes; with --receipt or --reference pca and icp]")
         ->option_text("NAME")
-        ->check(CLI::IsMember({"pca", "none", "icp"}));
+        ->check(CLI::IsMember({"pca", "search", "none", "icp"}));
+    app.add_option("--effort", arguments.options.effort,
+                   "How long to search: 1 takes a minute or two on two cores, 0 doesn't [1]")
+        ->option_text("E")
+        ->check(number_between(0, 1000));
     app.add_option("--receipt", arguments.receipt,
                    "What `mark --receipt` wrote: finds cut and ambiguous copies")
         ->option_text("FILE");
@@ -343,6 +425,9 @@ Action declare_verify(CLI::App& app) {
     return [arguments](Output& output) {
         arguments->options.detector =
             arguments->detector == "paper" ? watermark::Detector::paper : watermark::Detector::whitened;
+        arguments->options.search = arguments->resync.empty()       ? watermark::SearchUse::when_needed
+                                    : arguments->resync == "search" ? watermark::SearchUse::always
+                                                                    : watermark::SearchUse::never;
         arguments->options.resync = arguments->resync == "none"  ? watermark::Resync::none
                                     : arguments->resync == "icp" ? watermark::Resync::icp
                                                                  : watermark::Resync::pca;

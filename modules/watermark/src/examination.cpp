@@ -7,7 +7,6 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/smoothing_trend.hpp>
 #include <wm3d/sphere/half_turns.hpp>
 
@@ -92,6 +91,7 @@ void Examination::add_principal_poses(const Suspect& suspect, const Progress& pr
     for (Substance substance : moments.possible_substances()) {
         const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, suspect.base, substance,
                                                                       moments.of(substance), {}, progress);
+        ambiguity_ = std::max(ambiguity_, estimate.ambiguity);
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
         for (const resync::CandidatePose& before :

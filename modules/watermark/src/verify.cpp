@@ -11,6 +11,7 @@
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
+#include <wm3d/search/pose_search.hpp>
 #include <wm3d/watermark/null_keys.hpp>
 
 namespace wm3d::watermark {
@@ -129,15 +130,26 @@ double largest_opening(const TriangleMesh& mesh) {
     return largest / surface_area(mesh);
 }
 
+/// Whether a mark of the usual strength would have come out of the search, but for one in a hundred.
+bool searched_in_earnest(const VerifyReport& report) {
+    constexpr double one_in_a_hundred = 2.33;
+    return report.search && report.search->complete &&
+           report.search->expected_sigmas > search::SearchOptions{}.promising + one_in_a_hundred;
+}
+
 /// What keeps a report whose verdict is not "present" from saying "absent".
-Doubt doubt(const VerifyReport& report) {
+Doubt doubt(const VerifyReport& report, const Examination& suspect) {
     if (report.verdict == detect::Verdict::present)
         return Doubt::none;
     if (report.registration && !report.registration->aligned)
         return Doubt::alignment;
     if (report.verdict == detect::Verdict::inconclusive)
         return Doubt::power;
-    return !report.registration && report.largest_opening > tolerated_opening ? Doubt::opening : Doubt::none;
+    if (report.registration || searched_in_earnest(report))
+        return Doubt::none;
+    if (report.largest_opening > tolerated_opening)
+        return Doubt::opening;
+    return suspect.ambiguity() != resync::Ambiguity::none ? Doubt::axes : Doubt::none;
 }
 
 void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
@@ -151,31 +163,73 @@ void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Se
             report.filter = all.suspect.evidence().filter(best.filter);
         decide_whitened(report, all.suspect, key, sequences, options);
     }
-    report.doubt = doubt(report);
+    report.doubt = doubt(report, all.suspect);
     if (report.doubt != Doubt::none)
         report.verdict = detect::Verdict::inconclusive;
+}
+
+/// The report on the best hypothesis of a family whose score is known.
+void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
+          const VerifyOptions& options) {
+    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
+    report.base_vertices = all.suspect.base_vertices();
+    report.level = best.level;
+    report.pose = best.pose;
+    report.pose_origin = all.suspect.pose(best.pose).origin;
+    report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
+    decide(report, all, key, sequences, options);
+}
+
+bool may_search(const VerifyOptions& options) {
+    return options.search != SearchUse::never && options.detector == Detector::whitened &&
+           options.resync == Resync::pca && !options.receipt && !options.reference;
+}
+
+SearchEffort effort_of(const VerifyOptions& options) {
+    SearchEffort effort;
+    effort.effort = options.effort;
+    effort.asked = options.search == SearchUse::always;
+    if (effort.asked)
+        effort.deformation = search::Deformation::bent;
+    return effort;
+}
+
+void search_further(VerifyReport& report, const Suspect& suspect, const Hypotheses& all, const key::Key& key,
+                    Sequences& sequences, const VerifyOptions& options, const Progress& progress) {
+    SearchResult found =
+        search_suspect(suspect, all.suspect, sequences, effort_of(options),
+                       key.parameters().reference_strength, std::log10(options.pf), progress);
+    report.search = found.report;
+    if (found.hit) {
+        report.score = found.hit->score;
+        Examination& there = *found.hit->examination;
+        std::vector<detect::Hypothesis> family(there.family().begin(), there.family().end());
+        tell(report, {std::move(there), std::move(family), {}, 0}, key, sequences, options);
+    } else {
+        decide(report, all, key, sequences, options); // a search that found nothing may dispel a doubt
+    }
 }
 
 } // namespace
 
 VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
-    const Hypotheses all =
-        hypotheses(simplify_suspect(mesh, options.vertices, progress), key, options, progress);
+    if (!(options.effort >= 0))
+        throw ParameterError("the effort of a search can't be negative; 1 is the usual one, 0 is none");
+    const Suspect suspect = simplify_suspect(mesh, options.vertices, progress);
+    const Hypotheses all = hypotheses(suspect, key, options, progress);
     Sequences sequences(key.secret(), key.parameters().rmax);
 
     VerifyReport report;
-    report.base_vertices = all.suspect.base_vertices();
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
     report.largest_opening = largest_opening(mesh);
     report.score = detect::score_family(all.family, sequences.function());
-    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
-    report.level = best.level;
-    report.pose = best.pose;
-    report.pose_origin = all.suspect.pose(best.pose).origin;
-    report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
-    decide(report, all, key, sequences, options);
+    if (may_search(options)) // the search has its share of P_f, whether it will be needed or not
+        report.score.log10_p = std::min(0.0, report.score.log10_p - std::log10(1 - search_share));
+    tell(report, all, key, sequences, options);
+    if (may_search(options) && report.verdict != detect::Verdict::present)
+        search_further(report, suspect, all, key, sequences, options, progress);
     if (options.null_keys > 0)
         report.null = score_null_keys(all.family, all.suspect.options().rmax, options.pf, options.null_keys,
                                       options.null_seed, progress);

@@ -94,8 +94,8 @@ TEST_CASE("nothing is written where the mark would not be found again") {
 TEST_CASE("a file in the way is found out before any work, and left alone") {
     const Workshop shop(tetrahedron());
     io::write_file(shop.out, "mine");
-    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.out, key_of_tests),
-                         doctest::Contains("the file exists"), OutputError);
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.out, key_of_tests), doctest::Contains("the file exists"),
+                         OutputError);
     CHECK(io::read_file(shop.out) == "mine");
     MarkFileOptions options;
     options.receipt = shop.out;

@@ -16,6 +16,7 @@
 #include <wm3d/detect/paper_null.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/resync/candidate_pose.hpp>
+#include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/simplify/simplify.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 #include <wm3d/watermark/defaults.hpp>
@@ -62,6 +63,9 @@ public:
     const ExaminationOptions& options() const { return options_; }
     std::size_t base_vertices() const { return base_vertices_; }
     simplify::Stop stop() const { return stop_; }
+
+    /// What the suspect's own axes leave open, where they were asked.
+    resync::Ambiguity ambiguity() const { return ambiguity_; }
 
     std::size_t poses() const { return poses_.size(); }
     const resync::CandidatePose& pose(std::size_t pose) const { return poses_[pose].candidate; }
@@ -122,6 +126,7 @@ private:
     std::size_t base_vertices_ = 0;
     double diagonal_ = 0; ///< of the suspect's box
     simplify::Stop stop_ = simplify::Stop::reached;
+    resync::Ambiguity ambiguity_ = resync::Ambiguity::none;
     std::vector<View> views_;
     std::vector<Pose> poses_;
     std::vector<detect::Hypothesis> family_;

@@ -9,18 +9,28 @@
 #include <wm3d/detect/verdict.hpp>
 #include <wm3d/watermark/alignment.hpp>
 #include <wm3d/watermark/examination.hpp>
+#include <wm3d/watermark/search_suspect.hpp>
 
 namespace wm3d::watermark {
 
 enum class Detector { whitened, paper };
 
+/// Whether all poses are searched where a quick look in a few finds nothing.
+enum class SearchUse {
+    never,
+    when_needed, ///< the suspect could be a part of something, a scene, or a shape whose axes are unclear
+    always,      ///< and with deformations undone
+};
+
 struct VerifyOptions {
     double pf = default_pf;
     Detector detector = Detector::whitened;
     Resync resync = Resync::pca;
-    const resync::Receipt* receipt = nullptr; ///< its frame is tried as it stands
-    bool align_receipt = false;               ///< and as registration against its template finds it
-    const TriangleMesh* reference = nullptr;  ///< align with it and look at the difference too
+    const resync::Receipt* receipt = nullptr;  ///< its frame is tried as it stands
+    bool align_receipt = false;                ///< and as registration against its template finds it
+    const TriangleMesh* reference = nullptr;   ///< align with it and look at the difference too
+    SearchUse search = SearchUse::when_needed; ///< with the whitened detector and Resync::pca only
+    double effort = 1;                         ///< of the search, see SearchEffort
     std::size_t vertices = default_vertices;
     std::size_t null_keys = 0;   ///< random keys to score on the same mesh
     std::uint64_t null_seed = 1; ///< which random keys
@@ -48,13 +58,9 @@ enum class Doubt {
     none,
     power,     ///< a mark of the usual strength would likely be missed here
     alignment, ///< a registration that was asked for failed: it was not looked at where the mark would lie
-    opening,   ///< a part may have been cut off, and nothing but the suspect itself told the pose
+    opening,   ///< a part may have been cut off, and neither a search nor anything given told the pose
+    axes,      ///< the shape has no clear axes, and neither a search nor anything given told the pose
 };
-
-/// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing.
-/// Cuts by a plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the
-/// largest hole under the base of a scan such as the Stanford bunny has 0.5 %.
-inline constexpr double tolerated_opening = 0.006;
 
 struct VerifyReport {
     detect::Verdict verdict = detect::Verdict::inconclusive;
@@ -69,6 +75,7 @@ struct VerifyReport {
     bool by_difference = false;           ///< the difference from the reference decided
     double reference_coverage = 0;        ///< part of the reference that has a counterpart in the suspect
     std::optional<resync::Registration> registration;
+    std::optional<SearchReport> search; ///< where one was made; its pose is there where it decided
     std::size_t base_vertices = 0;
     double expected_sigmas = 0; ///< of a mark of the key's reference strength
     double predicted_miss = 1;

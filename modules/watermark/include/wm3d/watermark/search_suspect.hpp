@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  A suspect searched for the mark in every pose, from the key alone.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include <wm3d/core/progress.hpp>
+#include <wm3d/detect/family.hpp>
+#include <wm3d/mesh/frame.hpp>
+#include <wm3d/search/pose.hpp>
+#include <wm3d/watermark/examination.hpp>
+
+namespace wm3d::watermark {
+
+/// The part of a verdict's false-positive probability that the search may use up; the quick look, which comes
+/// first, has the rest. As it is so small, the quick look's p stays what it was to three decimals of log10.
+inline constexpr double search_share = 1e-3;
+
+/// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing.
+/// Cuts by a plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the
+/// largest hole under the base of a scan such as the Stanford bunny has 0.5 %.
+inline constexpr double tolerated_opening = 0.006;
+
+struct SearchEffort {
+    /// 1 tries 6000 pairs of a centre and a sequence on a suspect that may be cut, in a minute or two on two
+    /// cores; other efforts accordingly more or fewer.
+    double effort = 1;
+    /// Search many centres even of what has no opening. Else only of pieces that have one; and around a
+    /// piece's own centre where its axes are unclear.
+    bool asked = false;
+    search::Deformation deformation = search::Deformation::none; ///< the largest to undo
+};
+
+/// Where the mark was found.
+struct FoundPose {
+    Frame frame; ///< in the suspect's coordinates; the axes' determinant is -1 for a mirror image
+    search::Deformation deformation = search::Deformation::none;
+    Mat3 stretch = Mat3::Zero();
+    bool mirrored = false;
+    std::optional<std::size_t> piece; ///< of a scene, the largest first
+};
+
+struct SearchReport {
+    std::size_t pieces = 0;  ///< of the suspect that were looked at, itself included
+    std::size_t centres = 0; ///< pairs of a centre and a sequence
+    double rotations = 0;    ///< that were tried, over all of them
+    double seconds = 0;
+    double log10_hypotheses = 0; ///< that the pose paid for
+    double expected_sigmas = 0;  ///< of a mark of the usual strength in the coarsest step of the search
+    bool complete = false;       ///< nothing was left out for want of effort
+    std::optional<FoundPose> pose;
+};
+
+/// A pose that the exact statistic confirmed.
+struct SearchHit {
+    std::unique_ptr<Examination> examination; ///< in that pose alone
+    detect::FamilyScore score;                ///< with everything paid for
+};
+
+struct SearchResult {
+    SearchReport report;
+    std::optional<SearchHit> hit;
+};
+
+/// Looks for the key's mark in the mirror image of the poses that were tried already, in the pieces of a
+/// scene, and about many centres in all rotations; stops at the first pose whose p is at most 10^log10_pf.
+/// \param seen  the suspect's examination in the poses that its own axes tell
+SearchResult search_suspect(const Suspect& suspect, const Examination& seen, Sequences& sequences,
+                            const SearchEffort& effort, double reference_strength, double log10_pf,
+                            const Progress& progress = {});
+
+} // namespace wm3d::watermark

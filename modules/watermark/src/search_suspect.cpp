@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/search_suspect.hpp>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/search/centres.hpp>
+#include <wm3d/search/pose_search.hpp>
+#include <wm3d/sphere/half_turns.hpp>
+#include <wm3d/watermark/pieces.hpp>
+
+namespace wm3d::watermark {
+
+namespace {
+
+constexpr double pairs_of_effort_one = 6000; ///< of a centre and a sequence
+constexpr double pairs_about_own_centre = 24;
+/// Of the lattices of centres, in mean radii. At the usual strength a centre 0.03 off still shows a mark
+/// clearly; a centre 0.045 off shows most, for a third of the time.
+constexpr double wide_covering = 0.045, fine_covering = 0.03;
+
+/// The quick looks at mirror images and pieces have half of the search's share, the lattice of poses the
+/// other.
+const double log10_half_share = std::log10(search_share / 2);
+
+/// Which centres of a piece are searched.
+enum class Extent {
+    none, ///< its own axes are clear and nothing was cut off
+    own,  ///< around its own, as its axes are unclear
+    all,  ///< wherever its openings suggest
+};
+
+/// A piece of the suspect that is examined as if it were all.
+struct Piece {
+    const Suspect& suspect;
+    std::optional<std::size_t> number; ///< none: the suspect itself
+    Extent extent = Extent::none;
+};
+
+/// The base of a suspect around its centroid, in mean radii.
+struct Units {
+    search::Outline outline;
+    TriangleMesh base;
+
+    explicit Units(const Suspect& suspect) : outline(search::outline(suspect.mesh)), base(suspect.base) {
+        if (!(outline.radius > 0))
+            throw GeometryError("all of the surface lies in one point, so it has no pose to search for");
+        for (Vec3& p : base.positions)
+            p = (p - outline.centroid) / outline.radius;
+    }
+    Vec3 in_file(const Vec3& p) const { return outline.centroid + outline.radius * p; }
+};
+
+class SuspectSearch {
+public:
+    SuspectSearch(const Suspect& suspect, const Examination& seen, Sequences& sequences,
+                  const SearchEffort& effort, double reference_strength, double log10_pf,
+                  const Progress& progress)
+        : suspect_(suspect), seen_(seen), sequences_(sequences), effort_(effort),
+          reference_strength_(reference_strength), log10_pf_(log10_pf), progress_(progress) {}
+
+    SearchResult run();
+
+private:
+    Extent extent(const Suspect& piece, const Examination& seen) const;
+    bool look_at_mirror_image();
+    bool look_at_piece(Piece& piece);
+    bool search_piece(const Piece& piece, double pairs);
+    bool confirm(const Piece& piece, const Units& units, const search::Candidate& candidate);
+    bool take(std::unique_ptr<Examination> examination, double log10_price, FoundPose pose);
+    std::vector<search::Target> targets(const Piece& piece, const Units& units, double pairs);
+    std::vector<Vec3> lattice_of_centres(const Units& units, double covering, double pairs) const;
+    std::vector<unsigned> ordered_levels(std::size_t vertices) const;
+    const search::KeyFunction& key(unsigned level);
+    double expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece);
+
+    const Suspect& suspect_;
+    const Examination& seen_;
+    Sequences& sequences_;
+    const SearchEffort& effort_;
+    double reference_strength_, log10_pf_;
+    const Progress& progress_;
+    search::PoseLattice lattice_;
+    std::map<unsigned, sphere::Icosphere> spheres_;
+    std::map<unsigned, search::KeyFunction> keys_;
+    std::vector<Vec3> wide_, fine_; ///< lattices of centres about the piece that is searched
+    std::size_t piece_count_ = 1;
+    SearchResult result_;
+};
+
+const search::KeyFunction& SuspectSearch::key(unsigned level) {
+    const auto found = keys_.find(level);
+    if (found != keys_.end())
+        return found->second;
+    const sphere::Icosphere& sphere = spheres_.try_emplace(level, level).first->second;
+    const std::span<const double> w = sequences_(level);
+    return keys_.try_emplace(level, sphere, std::vector<double>(w.begin(), w.end()), seen_.options().rmax)
+        .first->second;
+}
+
+/// Whether the mark is in this pose, everything that was tried and could have been tried paid for.
+bool SuspectSearch::take(std::unique_ptr<Examination> examination, double log10_price, FoundPose pose) {
+    detect::FamilyScore score = detect::score_family(examination->family(), sequences_.function());
+    score.log10_p = std::min(0.0, score.log10_p + log10_price);
+    const bool better = !result_.hit || score.log10_p < result_.hit->score.log10_p;
+    if (score.log10_p > log10_pf_ || !better)
+        return score.log10_p <= log10_pf_;
+    result_.report.log10_hypotheses = std::log10(static_cast<double>(score.hypotheses)) + log10_price;
+    result_.report.pose = std::move(pose);
+    result_.hit = SearchHit{std::move(examination), score};
+    return true;
+}
+
+/// The mirror image of every pose that was tried: its statistic is the same, of the opposite vertices'
+/// heights.
+bool SuspectSearch::look_at_mirror_image() {
+    std::map<unsigned, std::vector<double>> mirrored;
+    const auto sequence = [&](unsigned level) -> std::span<const double> {
+        std::vector<double>& w = mirrored[level];
+        if (w.empty())
+            for (const Index opposite : sphere::inversion(sphere::Icosphere(level)))
+                w.push_back(sequences_(level)[opposite]);
+        return w;
+    };
+    const detect::FamilyScore score = detect::score_family(seen_.family(), sequence);
+    const double log10_price = std::log10(static_cast<double>(piece_count_)) - log10_half_share;
+    if (score.log10_p + log10_price > log10_pf_)
+        return false;
+    Frame frame = seen_.pose(seen_.family()[score.best.hypothesis].pose).frame;
+    frame.axes = -frame.axes;
+    ExaminationOptions options = seen_.options();
+    options.resync = Resync::icp;
+    options.poses = {{frame, "mirror image"}};
+    auto examination = std::make_unique<Examination>(suspect_, options, progress_);
+    // That is one pose of the many that were tried.
+    const double poses =
+        static_cast<double>(seen_.family().size()) / static_cast<double>(examination->family().size());
+    return take(std::move(examination), log10_price + std::log10(poses), {frame, {}, Mat3::Zero(), true, {}});
+}
+
+/// A piece of a scene in the poses that its own axes tell.
+bool SuspectSearch::look_at_piece(Piece& piece) {
+    ExaminationOptions options = seen_.options();
+    options.resync = Resync::pca;
+    options.poses.clear();
+    auto examination = std::make_unique<Examination>(piece.suspect, options, progress_);
+    piece.extent = extent(piece.suspect, *examination);
+    const std::size_t best =
+        detect::score_family(examination->family(), sequences_.function()).best.hypothesis;
+    const Frame frame = examination->pose(examination->family()[best].pose).frame;
+    return take(std::move(examination), std::log10(static_cast<double>(piece_count_)) - log10_half_share,
+                {frame, {}, Mat3::Zero(), false, piece.number});
+}
+
+std::vector<Vec3> SuspectSearch::lattice_of_centres(const Units& units, double covering, double pairs) const {
+    search::CentreOptions options;
+    options.covering = covering;
+    search::Outline unit = units.outline;
+    unit.centroid.setZero();
+    unit.radius = 1;
+    return search::centres(unit, static_cast<std::size_t>(std::clamp(std::ceil(pairs), 0.0, 1e6)), options);
+}
+
+/// The levels, the likeliest for a suspect of so many vertices first. A cut copy may have few left.
+std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const {
+    std::vector<unsigned> levels = seen_.options().levels;
+    key::PublicParameters parameters;
+    parameters.levels = levels;
+    const unsigned likely = default_level(parameters, vertices);
+    const auto rank = [&](unsigned level) {
+        return level == likely ? 0 : level == 5 ? 1 : level == 4 ? 2 : 3;
+    };
+    std::ranges::stable_sort(levels, {}, rank);
+    return levels;
+}
+
+/// The likeliest level first, on a wide and then on a fine lattice of centres; then the next level, the
+/// mirror image, and the rest.
+std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
+    const std::vector<unsigned> levels = ordered_levels(piece.suspect.mesh.positions.size());
+    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.2 : 1));
+    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.4)
+                                        : std::vector<Vec3>{};
+    const auto first = [&](double part) {
+        const auto count = piece.extent == Extent::all ? std::ceil(part * static_cast<double>(wide_.size()))
+                                                       : static_cast<double>(wide_.size());
+        return std::span<const Vec3>(wide_).first(static_cast<std::size_t>(count));
+    };
+    std::vector<search::Target> result{{levels.front(), &key(levels.front()), false, wide_}};
+    if (levels.size() > 1)
+        result.push_back({levels[1], &key(levels[1]), false, first(0.75)});
+    result.push_back({levels.front(), &key(levels.front()), true, first(0.5)});
+    result.push_back({levels.front(), &key(levels.front()), false, fine_});
+    for (std::size_t k = 2; k < levels.size(); ++k)
+        result.push_back({levels[k], &key(levels[k]), false, first(0.25)});
+    return result;
+}
+
+double SuspectSearch::expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece) {
+    const unsigned level = ordered_levels(piece.mesh.positions.size()).front();
+    const double move = reference_strength_ / 100 * surface_box(piece.mesh).diagonal() / units.outline.radius;
+    const search::SearchOptions options;
+    const sphere::SparseRows rows = sphere::barycentric_rows(key(level).sphere(), units.base.positions);
+    const std::vector<double> mark = evidence.mark_weights_at(options.filter, rows, sequences_(level), move);
+    return search::expected_sigmas(units.base.positions, evidence, mark, key(level), fine_covering, options);
+}
+
+/// The exact statistic at the nearest pose of the lattice.
+bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search::Candidate& candidate) {
+    const search::Pose pose = lattice_.nearest(candidate.pose);
+    FoundPose found{{units.in_file(pose.centre), pose.turn, 1},
+                    pose.deformation,
+                    pose.stretch,
+                    pose.mirrors(),
+                    piece.number};
+    Frame frame = found.frame;
+    TriangleMesh mesh = piece.suspect.mesh, base = units.base;
+    if (pose.deformation != search::Deformation::none) {
+        for (Vec3& p : base.positions)
+            p = pose.undeformed(p);
+        for (Vec3& p : mesh.positions)
+            p = pose.undeformed((p - units.outline.centroid) / units.outline.radius);
+        frame.centroid.setZero();
+    } else {
+        base = piece.suspect.base;
+    }
+    frame.scale = mean_radius(mesh, frame.centroid);
+    found.frame.scale =
+        pose.deformation == search::Deformation::none ? frame.scale : frame.scale * units.outline.radius;
+    ExaminationOptions options = seen_.options();
+    options.resync = Resync::icp;
+    options.poses = {{frame, "search"}};
+    const Suspect undeformed{mesh, std::move(base), piece.suspect.stop};
+    const double log10_price = lattice_.log10_size(pose.deformation) + std::log10(3) +
+                               std::log10(static_cast<double>(piece_count_)) - log10_half_share;
+    return take(std::make_unique<Examination>(undeformed, options), log10_price, std::move(found));
+}
+
+bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
+    const Units units(piece.suspect);
+    const detect::Evidence evidence(units.base, seen_.options().evidence);
+    search::SearchOptions options;
+    options.filter = std::min(options.filter, evidence.filters() - 1);
+    options.deformation = effort_.deformation;
+    const double expected_here = expected(units, evidence, piece.suspect);
+    SearchReport& report = result_.report;
+    report.expected_sigmas =
+        report.centres == 0 ? expected_here : std::min(report.expected_sigmas, expected_here);
+    const std::vector<search::Target> wanted = targets(piece, units, pairs);
+    const search::SearchOutcome outcome = search::search_poses(
+        units.base.positions, evidence, wanted,
+        [&](const search::Candidate& candidate) { return confirm(piece, units, candidate); }, options,
+        progress_);
+    report.centres += outcome.centres;
+    report.rotations += outcome.rotations;
+    return outcome.accepted;
+}
+
+Extent SuspectSearch::extent(const Suspect& piece, const Examination& seen) const {
+    if (effort_.asked || search::outline(piece.mesh).opening > tolerated_opening)
+        return Extent::all;
+    return seen.ambiguity() == resync::Ambiguity::none ? Extent::none : Extent::own;
+}
+
+SearchResult SuspectSearch::run() {
+    const auto begin = std::chrono::steady_clock::now();
+    const std::vector<TriangleMesh> parts = pieces(suspect_.mesh);
+    std::vector<Suspect> suspects;
+    for (const TriangleMesh& part : parts)
+        suspects.push_back(simplify_suspect(part, seen_.options().vertices, progress_));
+    std::vector<Piece> order;
+    for (std::size_t k = 0; k < suspects.size(); ++k)
+        order.push_back({suspects[k], k});
+    order.push_back({suspect_, {}, extent(suspect_, seen_)});
+    piece_count_ = order.size();
+    result_.report.pieces = order.size();
+    result_.report.complete = effort_.effort >= 1;
+
+    bool found = look_at_mirror_image();
+    for (std::size_t k = 0; k + 1 < order.size() && !found; ++k)
+        found = look_at_piece(order[k]);
+    const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
+    for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
+        if (order[k].extent != Extent::none)
+            found =
+                search_piece(order[k], effort_.effort * (order[k].extent == Extent::all
+                                                             ? pairs_of_effort_one / static_cast<double>(wide)
+                                                             : pairs_about_own_centre));
+    result_.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return std::move(result_);
+}
+
+} // namespace
+
+SearchResult search_suspect(const Suspect& suspect, const Examination& seen, Sequences& sequences,
+                            const SearchEffort& effort, double reference_strength, double log10_pf,
+                            const Progress& progress) {
+    if (!(effort.effort >= 0))
+        throw ParameterError("the effort of a search can't be negative; 1 is the usual one, 0 is none");
+    return SuspectSearch(suspect, seen, sequences, effort, reference_strength, log10_pf, progress).run();
+}
+
+} // namespace wm3d::watermark

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/search_suspect.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <doctest/doctest.h>
+#include <wm3d/core/error.hpp>
+#include <wm3d/shapes/shapes.hpp>
+#include <wm3d/shapes/turned.hpp>
+#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/verify.hpp>
+
+using namespace wm3d;
+using namespace wm3d::watermark;
+
+namespace {
+
+const key::Key& test_key() {
+    static const key::Key key = key::Key::generate("test");
+    return key;
+}
+
+TriangleMesh marked(TriangleMesh mesh) {
+    MarkOptions options;
+    options.strength = 0.12;
+    mesh.positions = mark(mesh, test_key(), options).positions;
+    return mesh;
+}
+
+/// The part of a mesh on one side of a plane.
+TriangleMesh cut(TriangleMesh mesh, const Vec3& normal, double height) {
+    std::erase_if(mesh.triangles, [&](const Triangle& t) {
+        return std::ranges::any_of(t, [&](Index v) { return mesh.positions[v].dot(normal) > height; });
+    });
+    return mesh;
+}
+
+void turn(TriangleMesh& mesh) {
+    const Mat3 rotation = Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+    for (Vec3& p : mesh.positions)
+        p = 3 * (rotation * p) + Vec3(5, 0, 2);
+}
+
+VerifyReport look(const TriangleMesh& mesh, double effort = 0.3) {
+    VerifyOptions options;
+    options.effort = effort;
+    return verify(mesh, test_key(), options);
+}
+
+} // namespace
+
+TEST_CASE("a cut and moved copy is found from the key alone, and the pose is told") {
+    const TriangleMesh whole = marked(shapes::blob(6000, 3));
+    const Frame truth = canonical_frame(whole);
+    TriangleMesh part = cut(whole, Vec3::UnitZ(), 0.5 * truth.scale);
+    turn(part);
+    const VerifyReport report = look(part);
+    REQUIRE(report.verdict == detect::Verdict::present);
+    REQUIRE(report.search);
+    CHECK(report.search->pose);
+    CHECK(report.pose_origin == "search");
+    CHECK(report.search->log10_hypotheses > 20);
+    const Mat3 rotation = Eigen::AngleAxisd(1.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
+    const Vec3 centre = 3 * (rotation * truth.centroid) + Vec3(5, 0, 2);
+    CHECK((report.search->pose->frame.centroid - centre).norm() < 0.03 * truth.scale);
+
+    // p is that of the best hypothesis times everything that was open.
+    CHECK(report.score.log10_p ==
+          doctest::Approx(report.score.best.log10_p + report.search->log10_hypotheses).epsilon(1e-9));
+}
+
+TEST_CASE("a mirror image is found and said to be one") {
+    TriangleMesh mesh = marked(shapes::blob(4000, 5));
+    for (Vec3& p : mesh.positions)
+        p.y() = -p.y();
+    for (Triangle& t : mesh.triangles)
+        std::swap(t[0], t[1]);
+    turn(mesh);
+    const VerifyReport report = look(mesh, 0);
+    CHECK(report.verdict == detect::Verdict::present);
+    REQUIRE(report.search);
+    REQUIRE(report.search->pose);
+    CHECK(report.search->pose->mirrored);
+    CHECK(report.search->centres == 0);
+}
+
+TEST_CASE("a model in a scene is found by the axes of its piece") {
+    TriangleMesh scene = marked(shapes::blob(4000, 7));
+    const TriangleMesh other = shapes::torus(5, 1, 40, 20);
+    const auto first = static_cast<Index>(scene.positions.size());
+    for (const Vec3& p : other.positions)
+        scene.positions.push_back(p + Vec3(20, 0, 0));
+    for (Triangle t : other.triangles)
+        scene.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    turn(scene);
+    const VerifyReport report = look(scene, 0);
+    CHECK(report.verdict == detect::Verdict::present);
+    REQUIRE(report.search);
+    REQUIRE(report.search->pose);
+    CHECK(report.search->pose->piece);
+}
+
+TEST_CASE("a shape whose axes are unclear is found") {
+    TriangleMesh gear = marked(shapes::gear(24, 8000));
+    turn(gear);
+    CHECK(look(gear, 1).verdict == detect::Verdict::present);
+}
+
+TEST_CASE("an unmarked part of something is not called present, nor absent without a search") {
+    TriangleMesh part = cut(shapes::blob(3000, 9), Vec3::UnitX(), 0.3);
+    const VerifyReport report = look(part, 0.01);
+    CHECK(report.verdict == detect::Verdict::inconclusive);
+    CHECK(report.search->centres > 0);
+    CHECK_FALSE(report.search->complete);
+    CHECK_FALSE(report.search->pose);
+}
+
+TEST_CASE("suspects with nothing to search end in an honest verdict") {
+    const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    const TriangleMesh needle{{{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}, {0, 0, 1e-6}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+    for (const TriangleMesh& mesh : {triangle, needle, shapes::square(1, 12)})
+        CHECK(look(mesh, 0.02).verdict == detect::Verdict::inconclusive);
+    CHECK_THROWS_AS(look(triangle, -1), ParameterError);
+    CHECK_THROWS_AS(look(triangle, std::nan("")), ParameterError);
+}
