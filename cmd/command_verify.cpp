@@ -415,7 +415,7 @@ Action declare_verify(CLI::App& app) {
                     "mesh can't tell.\n"
                     "The probability that it names is exact for this very mesh: how often a random key "
                     "scores like this.\n"
-                    "Needs the key file alone; with a receipt or the original it finds cut copies too.\n"
+                    "Needs the key file alone, for cut copies and pieces of scenes too; a receipt or the original find more.\n"
                     "Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d verify suspect.obj --key museum.key\n"
