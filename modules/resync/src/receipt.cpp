@@ -11,6 +11,7 @@
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/json_depth.hpp>
 
 #include "template_text.hpp"
 
@@ -101,6 +102,7 @@ int version_of(const ordered_json& json) {
 
 /// The JSON of the receipt after the checks that need no knowledge of its fields.
 ordered_json checked_json(std::string_view text, std::string_view file_name) {
+    check_json_depth(text, file_name);
     ordered_json json = ordered_json::parse(text, nullptr, false);
     if (json.is_discarded())
         throw InputError(

@@ -91,3 +91,9 @@ TEST_CASE("a receipt with a right digest but impossible values is refused") {
     empty.pose_template = {};
     CHECK_THROWS_AS(resync::parse_receipt(resync::to_text(empty), "r"), InputError);
 }
+
+TEST_CASE("brackets without end are refused") {
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    CHECK_THROWS_WITH_AS(resync::parse_receipt("{\"schema\":\"wm3d.receipt/1\",\"x\":" + deep + "}", "r"),
+                         doctest::Contains("brackets nest"), InputError);
+}
