@@ -155,7 +155,7 @@ std::string to_string(const MarkSize& size) {
 }
 
 BenchLog::BenchLog(const std::string& path, const ordered_json& settings)
-    : lines_(path, "result of a bench", [&](const ordered_json& line, std::size_t number) {
+    : lines_(path, "result of a bench", schema, [&](const ordered_json& line, std::size_t number) {
           read(line, number, {{"schema", schema}, {"settings", settings}}, path);
       }) {
     if (lines_.was_empty())

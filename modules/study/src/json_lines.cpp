@@ -3,56 +3,104 @@
 
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/json_depth.hpp>
 
 namespace wm3d::study {
 
 using nlohmann::ordered_json;
 
-namespace {
+JsonLines::JsonLines(const std::string& path, const std::string& what, std::string_view schema,
+                     const Reader& reader)
+    : path_(path) {
+    try {
+        open();
+        size_ = read_lines(what, schema, reader);
+        was_empty_ = size_ == 0;
+        cut(size_);
+    } catch (...) {
+        if (file_ >= 0)
+            ::close(file_);
+        throw;
+    }
+}
+
+JsonLines::~JsonLines() {
+    ::close(file_);
+}
+
+void JsonLines::fail_writing(int error) const {
+    throw OutputError(fmt::format("{}: the file can't be written: {}", path_, std::strerror(error)));
+}
+
+/// Opens the file without changing anything in it, and keeps other processes from doing the same.
+void JsonLines::open() {
+    struct stat status {};
+    if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+        throw OutputError(fmt::format("{}: this is no regular file; name a new file", path_));
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+    if (file_ < 0)
+        fail_writing(errno);
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) // else a file system without locks
+        throw OutputError(fmt::format(
+            "{}: another process is writing to this file; wait for it, or name a new file", path_));
+}
 
 /// \return  how many bytes the lines that are complete have
-std::uintmax_t read_lines(const std::string& path, const std::string& what, const JsonLines::Reader& reader) {
-    std::ifstream in(path, std::ios::binary);
+std::uintmax_t JsonLines::read_lines(const std::string& what, std::string_view schema, const Reader& reader) {
+    std::ifstream in(path_, std::ios::binary);
     std::string line;
     std::uintmax_t whole = 0;
     for (std::size_t number = 1; std::getline(in, line) && !in.eof(); ++number) {
         whole += line.size() + 1;
+        check_json_depth(line, fmt::format("{}, line {}", path_, number));
         try {
             reader(ordered_json::parse(line), number);
         } catch (const ordered_json::exception&) {
-            throw InputError(
-                fmt::format("{}: line {} is no {}; remove the line, or name a new file", path, number, what));
+            throw InputError(fmt::format("{}: line {} is no {}; remove the line, or name a new file", path_,
+                                         number, what));
         }
     }
+    // Somebody else's file may have no line end at all, and must not be taken for a first line cut off.
+    if (whole == 0 && !line.empty() && !line.starts_with(fmt::format(R"({{"schema":"{}")", schema)))
+        throw InputError(
+            fmt::format("{}: this file was not begun by wm3d, so it is left alone; name a new file", path_));
     return whole;
 }
 
-} // namespace
-
-JsonLines::JsonLines(const std::string& path, const std::string& what, const Reader& reader) : path_(path) {
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored)) {
-        const std::uintmax_t whole = read_lines(path, what, reader);
-        was_empty_ = whole == 0;
-        if (std::filesystem::file_size(path, ignored) != whole)
-            std::filesystem::resize_file(path, whole, ignored);
-    }
-    file_.reset(std::fopen(path.c_str(), "ab"));
-    if (!file_)
-        throw OutputError(fmt::format("{}: the file can't be written: {}", path, std::strerror(errno)));
+void JsonLines::cut(std::uintmax_t size) {
+    struct stat status {};
+    if (::fstat(file_, &status) != 0)
+        fail_writing(errno);
+    if (static_cast<std::uintmax_t>(status.st_size) != size &&
+        ::ftruncate(file_, static_cast<off_t>(size)) != 0)
+        fail_writing(errno);
 }
 
 void JsonLines::append(const ordered_json& line) {
     const std::string text = line.dump() + '\n';
-    if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size() || std::fflush(file_.get()) != 0)
-        throw OutputError(fmt::format("{}: the file can't be written: {}", path_, std::strerror(errno)));
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const ssize_t put = ::write(file_, rest.data(), rest.size());
+        if (put < 0 && errno == EINTR)
+            continue;
+        if (put < 0) {
+            const int reason = errno;
+            [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(size_));
+            fail_writing(reason);
+        }
+        rest.remove_prefix(static_cast<std::size_t>(put));
+    }
+    size_ += text.size();
 }
 
 } // namespace wm3d::study

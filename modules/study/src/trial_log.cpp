@@ -55,7 +55,7 @@ std::string mesh_fingerprint(const TriangleMesh& mesh) {
 }
 
 TrialLog::TrialLog(const std::string& path, const std::string& fingerprint)
-    : lines_(path, "trial",
+    : lines_(path, "trial", schema,
              [&](const ordered_json& line, std::size_t number) { read(line, number, path, fingerprint); }) {
     if (lines_.was_empty())
         lines_.append({{"schema", schema}, {"mesh", fingerprint}});
