@@ -49,7 +49,7 @@ Document read_obj(const Source& source);
 Document read_ply(const Source& source);
 Document read_stl(const Source& source);
 Document read_off(const Source& source);
-Document read_gltf(const Source& source, const Resolver& resolver);
-Document read_glb(const Source& source, const Resolver& resolver);
+Document read_gltf(const Source& source, const Resolver& resolver, const Limits& limits);
+Document read_glb(const Source& source, const Resolver& resolver, const Limits& limits);
 
 } // namespace wm3d::io

@@ -10,6 +10,7 @@
 #include "document.hpp"
 #include "gltf_accessor.hpp"
 #include "gltf_file.hpp"
+#include "gltf_overlap.hpp"
 #include "gltf_primitive.hpp"
 #include "gltf_scene.hpp"
 #include "gltf_store.hpp"
@@ -17,9 +18,6 @@
 namespace wm3d::io {
 
 namespace {
-
-/// Instances multiply a small file; this bounds what a hostile one can make of itself.
-constexpr std::size_t most_slots = std::size_t{1} << 26;
 
 class SceneReader {
 public:
@@ -44,6 +42,7 @@ private:
         const Json& mesh = gltf_entry(source(), file_.json(), "meshes", placed.mesh);
         std::map<std::size_t, std::size_t> first_slots; // of this node's blocks: primitives may share one
         for (const Json& primitive : gltf_array(source(), mesh, "primitives")) {
+            file_.check_shown(static_cast<double>(++primitives_), "primitives");
             if (!primitive.is_object())
                 source().fail(fmt::format("a primitive of mesh {} is no object", placed.mesh));
             if (!gltf_is_surface(source(), primitive))
@@ -79,6 +78,7 @@ private:
             Bytes{a.buffer, a.offset, a.stride, a.count, a.type, a.unit}, blocks_.size());
         const std::size_t block = place->second;
         if (is_new) {
+            file_.check_shown(static_cast<double>(elements_) + static_cast<double>(a.count), "vertices");
             blocks_.push_back({a, {}, elements_});
             elements_ += a.count;
             local_.push_back(GltfStore::local_positions(file_, a));
@@ -89,9 +89,7 @@ private:
     }
 
     void add_instance(std::size_t block, const Placement& placement) {
-        if (document_.positions.size() + local_[block].size() > most_slots)
-            source().fail(fmt::format(
-                "its instances show more than {} vertices, which is more than wm3d takes", most_slots));
+        file_.check_shown(static_cast<double>(document_.positions.size() + local_[block].size()), "vertices");
         instances_.push_back({block, placement, document_.positions.size()});
         for (std::size_t i = 0; i < local_[block].size(); ++i) {
             const Vec3 position = placement(local_[block][i]);
@@ -105,39 +103,24 @@ private:
 
     void add_triangles(const Json& primitive, std::size_t first_slot, std::size_t vertices) {
         std::vector<Triangle>& triangles = document_.triangles;
-        for (Triangle triangle : gltf_triangles(file_, primitive, vertices)) {
+        const std::vector<Triangle> own = gltf_triangles(file_, primitive, vertices);
+        file_.check_shown(static_cast<double>(triangles.size() + own.size()), "triangles");
+        for (Triangle triangle : own) {
             for (Index& corner : triangle)
                 corner += static_cast<Index>(first_slot);
             triangles.push_back(triangle);
         }
-        if (triangles.size() > 4 * most_slots)
-            source().fail("its instances show more triangles than wm3d takes");
     }
 
     /// Accessors that share some bytes but not all could not be changed one by one.
     void refuse_overlaps() const {
-        std::vector<GltfAccessor> sorted;
+        std::vector<GltfAccessor> accessors;
         for (const GltfBlock& block : blocks_)
-            sorted.push_back(block.accessor);
-        std::sort(sorted.begin(), sorted.end(), [](const GltfAccessor& a, const GltfAccessor& b) {
-            return std::pair(a.buffer, a.offset) < std::pair(b.buffer, b.offset);
-        });
-        for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
-            for (std::size_t j = i + 1; j < sorted.size() && sorted[j].buffer == sorted[i].buffer &&
-                                        sorted[j].offset < sorted[i].end();
-                 ++j)
-                if (!interleaved(sorted[i], sorted[j]))
-                    source().fail(
-                        fmt::format("the positions of accessors {} and {} overlap in their buffer, so they "
-                                    "can't be changed one by one",
-                                    sorted[i].number, sorted[j].number));
-    }
-
-    /// Whether b's elements stand in the gaps between a's.
-    static bool interleaved(const GltfAccessor& a, const GltfAccessor& b) {
-        const std::size_t shift = (b.offset - a.offset) % a.stride;
-        return a.stride == b.stride && shift >= 3 * size_of(a.type) &&
-               shift + 3 * size_of(b.type) <= a.stride;
+            accessors.push_back(block.accessor);
+        if (const auto pair = gltf_overlap(std::move(accessors)))
+            source().fail(fmt::format("the positions of accessors {} and {} overlap in their buffer, so they "
+                                      "can't be changed one by one",
+                                      pair->first, pair->second));
     }
 
     GltfFile file_;
@@ -148,11 +131,12 @@ private:
     std::map<std::size_t, std::size_t> block_of_accessor_;
     std::map<Bytes, std::size_t> block_of_bytes_;
     std::size_t elements_ = 0;
+    std::size_t primitives_ = 0;
 };
 
-Document read_asset(const Source& source, bool binary, const Resolver& resolver) {
+Document read_asset(const Source& source, bool binary, const Resolver& resolver, const Limits& limits) {
     try {
-        return SceneReader(GltfFile::open(source, binary, resolver)).run();
+        return SceneReader(GltfFile::open(source, binary, resolver, limits)).run();
     } catch (const Json::exception& error) {
         source.fail(fmt::format("its JSON is not as glTF has it ({})", error.what()));
     }
@@ -160,11 +144,11 @@ Document read_asset(const Source& source, bool binary, const Resolver& resolver)
 
 } // namespace
 
-Document read_gltf(const Source& source, const Resolver& resolver) {
-    return read_asset(source, false, resolver);
+Document read_gltf(const Source& source, const Resolver& resolver, const Limits& limits) {
+    return read_asset(source, false, resolver, limits);
 }
-Document read_glb(const Source& source, const Resolver& resolver) {
-    return read_asset(source, true, resolver);
+Document read_glb(const Source& source, const Resolver& resolver, const Limits& limits) {
+    return read_asset(source, true, resolver, limits);
 }
 
 } // namespace wm3d::io

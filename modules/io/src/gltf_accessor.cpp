@@ -59,8 +59,7 @@ View resolve_view(GltfFile& file, std::size_t accessor, std::size_t number) {
     const Source& source = file.source();
     const Json& view = gltf_entry(source, file.json(), "bufferViews", number);
     if (const Json* packed = packing(file, accessor, view)) {
-        const std::size_t buffer =
-            file.unpacked_view(number, [&] { return gltf_unpacked(file, number, *packed); });
+        const std::size_t buffer = gltf_unpacked_view(file, number, *packed);
         return {buffer, 0, file.buffer(buffer).size()};
     }
     return {gltf_size(source, view, "buffer", 0), gltf_size(source, view, "byteOffset", 0),

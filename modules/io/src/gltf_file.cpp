@@ -3,8 +3,12 @@
 
 #include <bit>
 #include <cctype>
+#include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
+
+#include <wm3d/core/json_depth.hpp>
 
 #include "base64.hpp"
 #include "binary.hpp"
@@ -41,8 +45,8 @@ std::string percent_decoded(std::string_view uri) {
 
 } // namespace
 
-GltfFile GltfFile::open(const Source& source, bool binary, const Resolver& resolver) {
-    GltfFile file(source);
+GltfFile GltfFile::open(const Source& source, bool binary, const Resolver& resolver, const Limits& limits) {
+    GltfFile file(source, limits);
     file.resolver_ = resolver;
     file.binary_ = binary;
     file.text_ = source.bytes;
@@ -83,6 +87,7 @@ void GltfFile::split_chunks() {
 }
 
 void GltfFile::parse_json() {
+    check_json_depth(text_, source_.name);
     try {
         json_ = Json::parse(text_.begin(), text_.end());
     } catch (const Json::parse_error& error) {
@@ -105,12 +110,20 @@ std::string_view GltfFile::buffer(std::size_t number) {
     return buffers_[number].bytes;
 }
 
-std::size_t GltfFile::unpacked_view(std::size_t view, const std::function<std::string()>& unpack) {
+std::size_t GltfFile::unpacked_view(std::size_t view, std::size_t size,
+                                    const std::function<std::string()>& unpack) {
     Buffer& buffer = buffers_[listed_buffers_ + view];
     if (!buffer.loaded) {
+        if (static_cast<double>(unpacked_bytes_) + static_cast<double>(size) >
+            limits_.unpacked_per_byte * static_cast<double>(asset_bytes_))
+            source_.fail(
+                fmt::format("its packed buffer views would grow beyond {:g} times the size of its files; "
+                            "if you trust it, say --any-size",
+                            limits_.unpacked_per_byte));
+        unpacked_bytes_ += size;
         buffer.home = Home::unpacked;
-        buffer.own = unpack();
-        buffer.bytes = buffer.own;
+        buffer.own = std::make_shared<const std::string>(unpack());
+        buffer.bytes = *buffer.own;
         buffer.loaded = true;
     }
     return listed_buffers_ + view;
@@ -135,14 +148,11 @@ void GltfFile::load(std::size_t number) {
             source_.fail(fmt::format("the data: uri of buffer {} is no base64", number));
         buffer.home = Home::inline_uri;
         buffer.uri_prefix = text.substr(0, comma + 1);
-        buffer.own = std::move(*bytes);
-        buffer.bytes = buffer.own;
+        buffer.own = std::make_shared<const std::string>(std::move(*bytes));
+        buffer.bytes = *buffer.own;
     } else {
-        if (!resolver_)
-            source_.fail(fmt::format("buffer {} is in another file ({}), which is out of reach here", number,
-                                     text.substr(0, 60)));
-        buffer.own = resolver_(percent_decoded(text));
-        buffer.bytes = buffer.own;
+        buffer.own = beside(number, percent_decoded(text));
+        buffer.bytes = *buffer.own;
     }
     const std::size_t length = gltf_size(source_, entry, "byteLength", buffer.bytes.size());
     if (length > buffer.bytes.size())
@@ -150,6 +160,30 @@ void GltfFile::load(std::size_t number) {
                                  length, buffer.bytes.size()));
     buffer.bytes = buffer.bytes.substr(0, length);
     buffer.loaded = true;
+}
+
+/// The file behind a URI. Each is read once, however many buffers name it.
+std::shared_ptr<const std::string> GltfFile::beside(std::size_t number, const std::string& uri) {
+    if (!resolver_)
+        source_.fail(fmt::format("buffer {} is in another file ({}), which is out of reach here", number,
+                                 uri.substr(0, 60)));
+    std::shared_ptr<const std::string>& file =
+        beside_[std::filesystem::path(uri).lexically_normal().string()];
+    if (!file) {
+        file = std::make_shared<const std::string>(resolver_(uri));
+        asset_bytes_ += file->size();
+    }
+    return file;
+}
+
+void GltfFile::check_shown(double count, std::string_view what) const {
+    const double most =
+        std::max(static_cast<double>(limits_.always), limits_.per_byte * static_cast<double>(asset_bytes_));
+    if (count > most)
+        source_.fail(
+            fmt::format("it shows more than {:.0f} {}, out of files of {} bytes; if you trust it, say "
+                        "--any-size",
+                        most, what, asset_bytes_));
 }
 
 const Json& gltf_array(const Source& source, const Json& object, const char* key) {

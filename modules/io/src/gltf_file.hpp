@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,13 +26,15 @@ public:
     struct Buffer {
         Home home = Home::external;
         bool loaded = false;
-        std::string own;        ///< bytes, unless they are a part of the file
+        /// Bytes, unless they are a part of the file; buffers that name the same file share them.
+        std::shared_ptr<const std::string> own;
         std::string_view bytes; ///< byteLength bytes
         std::string uri_prefix; ///< of an inline URI, up to the comma and with it
     };
 
     /// Takes a GLB container apart, or the text of a .gltf. \throw InputError
-    static GltfFile open(const Source& source, bool binary, const Resolver& resolver);
+    static GltfFile open(const Source& source, bool binary, const Resolver& resolver,
+                         const Limits& limits = Limits::none());
 
     const Source& source() const { return source_; }
     const Json& json() const { return json_; }
@@ -42,20 +46,33 @@ public:
     const std::vector<Buffer>& buffers() const { return buffers_; }
 
     /// Number of the buffer that holds what `unpack` gives for a buffer view; calls it on first use.
-    std::size_t unpacked_view(std::size_t view, const std::function<std::string()>& unpack);
+    /// `size` is how many bytes that will be.
+    /// \throw InputError  if that is beyond the asset's limits
+    std::size_t unpacked_view(std::size_t view, std::size_t size, const std::function<std::string()>& unpack);
+
+    /// Bytes of the file and of all that it referred to so far.
+    std::size_t asset_bytes() const { return asset_bytes_; }
+    /// Refuses `count` of what the asset shows if that is beyond its limits. \throw InputError
+    void check_shown(double count, std::string_view what) const;
 
     /// Offset in the file of the GLB's binary chunk's data.
     std::size_t chunk_offset() const { return chunk_offset_; }
     bool is_binary() const { return binary_; }
 
 private:
-    explicit GltfFile(const Source& source) : source_(source) {}
+    GltfFile(const Source& source, const Limits& limits)
+        : source_(source), limits_(limits), asset_bytes_(source.bytes.size()) {}
     void split_chunks();
     void parse_json();
     void load(std::size_t number);
+    std::shared_ptr<const std::string> beside(std::size_t number, const std::string& uri);
 
     Source source_;
+    Limits limits_;
     Resolver resolver_;
+    std::size_t asset_bytes_;
+    std::size_t unpacked_bytes_ = 0;
+    std::map<std::string, std::shared_ptr<const std::string>> beside_; ///< by path
     bool binary_ = false;
     std::string_view text_;
     std::string_view chunk_;

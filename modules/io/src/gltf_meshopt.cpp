@@ -27,17 +27,24 @@ std::string text_member(const Json& object, const char* key, const char* missing
     return found != object.end() && found->is_string() ? found->get<std::string>() : missing;
 }
 
-/// The library asserts what it is given, so all of it is checked here.
+bool is_sound_filter(const Packed& p) {
+    if (p.filter == "OCTAHEDRAL")
+        return p.stride == 4 || p.stride == 8;
+    if (p.filter == "QUATERNION")
+        return p.stride == 8;
+    return p.filter == "EXPONENTIAL" || p.filter == "NONE";
+}
+
+/// The library asserts what it is given, so all of it is checked here, as the extension's text has it.
 bool is_sound(const Packed& p) {
-    const bool indices = p.mode == "TRIANGLES" || p.mode == "INDICES";
-    if (indices ? p.stride != 2 && p.stride != 4 : p.stride == 0 || p.stride > 256 || p.stride % 4 != 0)
-        return false;
-    if (p.mode == "TRIANGLES" && p.count % 3 != 0)
-        return false;
-    if (p.filter == "OCTAHEDRAL" && p.stride != 4 && p.stride != 8)
-        return false;
-    if (p.filter == "QUATERNION" && p.stride != 8)
-        return false;
+    if (p.mode == "ATTRIBUTES") {
+        if (p.stride == 0 || p.stride > 256 || p.stride % 4 != 0 || !is_sound_filter(p))
+            return false;
+    } else {
+        if ((p.mode != "TRIANGLES" && p.mode != "INDICES") || (p.stride != 2 && p.stride != 4) ||
+            p.filter != "NONE" || (p.mode == "TRIANGLES" && p.count % 3 != 0))
+            return false;
+    }
     return p.count <= best_ratio * (p.bytes.size() + 16) / p.stride;
 }
 
@@ -59,8 +66,7 @@ bool unpack(const Packed& p, std::string& out) {
         return meshopt_decodeVertexBuffer(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
     if (p.mode == "TRIANGLES")
         return meshopt_decodeIndexBuffer(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
-    return p.mode == "INDICES" &&
-           meshopt_decodeIndexSequence(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
+    return meshopt_decodeIndexSequence(out.data(), p.count, p.stride, data, p.bytes.size()) == 0;
 }
 
 void undo_filter(const Packed& p, std::string& out) {
@@ -74,25 +80,28 @@ void undo_filter(const Packed& p, std::string& out) {
 
 } // namespace
 
-std::string gltf_unpacked(GltfFile& file, std::size_t view, const Json& extension) {
+std::size_t gltf_unpacked_view(GltfFile& file, std::size_t view, const Json& extension) {
     const Packed packed = packed_view(file, view, extension);
-    std::string out;
-    if (is_sound(packed)) {
-        out.resize(packed.count * packed.stride);
-        if (unpack(packed, out)) {
-            undo_filter(packed, out);
-            return out;
-        }
-    }
-    file.source().fail(
-        fmt::format("buffer view {} can't be unpacked (EXT_meshopt_compression); the file is damaged or "
-                    "packed in a newer way, so save it without compression",
-                    view));
+    const auto refuse = [&] {
+        file.source().fail(
+            fmt::format("buffer view {} can't be unpacked (EXT_meshopt_compression); the file is damaged or "
+                        "packed in a newer way, so save it without compression",
+                        view));
+    };
+    if (!is_sound(packed))
+        refuse();
+    return file.unpacked_view(view, packed.count * packed.stride, [&] {
+        std::string out(packed.count * packed.stride, '\0');
+        if (!unpack(packed, out))
+            refuse();
+        undo_filter(packed, out);
+        return out;
+    });
 }
 
 #else
 
-std::string gltf_unpacked(GltfFile& file, std::size_t view, const Json&) {
+std::size_t gltf_unpacked_view(GltfFile& file, std::size_t view, const Json&) {
     file.source().fail(
         fmt::format("buffer view {} is compressed with EXT_meshopt_compression, which this build, made "
                     "without meshoptimizer, does not read; save the file without compression",

@@ -55,9 +55,7 @@ private:
         buffers_.insert(accessor.buffer);
         buffers_.insert(block.accessor.buffer);
 
-        const auto first = static_cast<Index>(uses_.after.size());
-        append(uses_.before, GltfStore::local_positions(before_, gltf_position_accessor(before_, position)));
-        append(uses_.after, GltfStore::local_positions(after_, accessor));
+        const Index first = first_point(position, accessor);
         for (const Triangle& triangle : gltf_triangles(after_, primitive, accessor.count)) {
             for (Index corner : triangle) {
                 uses_.faces.corners.push_back(first + corner);
@@ -65,6 +63,18 @@ private:
             }
             uses_.faces.close_face();
         }
+    }
+
+    /// Place of an accessor's positions among all, before and after; primitives that share it share them.
+    Index first_point(std::size_t number, const GltfAccessor& accessor) {
+        const auto [place, is_new] =
+            first_of_accessor_.try_emplace(number, static_cast<Index>(uses_.after.size()));
+        if (is_new) {
+            append(uses_.before,
+                   GltfStore::local_positions(before_, gltf_position_accessor(before_, number)));
+            append(uses_.after, GltfStore::local_positions(after_, accessor));
+        }
+        return place->second;
     }
 
     std::size_t block_of(std::size_t number) {
@@ -98,6 +108,7 @@ private:
     std::vector<GltfBlock> blocks_;
     std::vector<GltfInstance> instances_;
     std::map<std::size_t, std::size_t> block_of_accessor_;
+    std::map<std::size_t, Index> first_of_accessor_;
     std::set<std::size_t> buffers_; ///< of positions and normals
     std::vector<Vec3> values_;
     NormalUses uses_;

@@ -222,7 +222,7 @@ std::vector<std::string> GltfStore::moved_buffers(const Moves& moves) const {
                     "not write; save the file without compression to change it");
             if (changed[a.buffer].empty()) // all that the buffer's file holds, even beyond byteLength
                 changed[a.buffer] =
-                    buffer.home == GltfFile::Home::chunk ? std::string(buffer.bytes) : buffer.own;
+                    buffer.home == GltfFile::Home::chunk ? std::string(buffer.bytes) : *buffer.own;
             for (int k = 0; k < 3; ++k)
                 if (moves.local[e][k] != local_[e][k])
                     save(const_cast<char*>(element_at(a, changed[a.buffer].data(), i, k)), a.type, swap,
@@ -232,8 +232,8 @@ std::vector<std::string> GltfStore::moved_buffers(const Moves& moves) const {
     return changed;
 }
 
-/// Replaces the bounds of an accessor that its moved elements changed.
-void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan accessor,
+/// Replaces the bounds that moved elements changed in all accessors of their block.
+void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, std::span<const JsonSpan> accessors,
                             JsonEdits& edits) const {
     const std::string_view text = file_.text();
     const auto extreme = [&](const std::vector<Vec3>& points, bool least) {
@@ -246,12 +246,16 @@ void GltfStore::edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan
     };
     for (bool least : {true, false}) {
         const Vec3 before = extreme(local_, least), after = extreme(moves.local, least);
-        const auto bound = json_member(text, accessor, least ? "min" : "max");
-        const auto numbers = json_elements(text, bound.value_or(JsonSpan{}));
-        for (std::size_t k = 0; k < numbers.size() && k < 3; ++k)
-            if (const int axis = static_cast<int>(k); before[axis] != after[axis])
-                edits[numbers[k].begin] = {
-                    numbers[k], number_text(block.accessor.type, to_stored(block.accessor, after[axis]))};
+        for (std::size_t number : block.accessors) {
+            if (before == after || number >= accessors.size())
+                continue;
+            const auto bound = json_member(text, accessors[number], least ? "min" : "max");
+            const auto numbers = json_elements(text, bound.value_or(JsonSpan{}));
+            for (std::size_t k = 0; k < numbers.size() && k < 3; ++k)
+                if (const int axis = static_cast<int>(k); before[axis] != after[axis])
+                    edits[numbers[k].begin] = {
+                        numbers[k], number_text(block.accessor.type, to_stored(block.accessor, after[axis]))};
+        }
     }
 }
 
@@ -262,9 +266,8 @@ std::string GltfStore::moved_text(const Moves& moves, std::span<const std::strin
     JsonEdits edits;
     const auto accessors = json_elements(text, json_member(text, root, "accessors").value_or(JsonSpan{}));
     for (const GltfBlock& block : blocks_)
-        for (std::size_t number : block.accessors)
-            if (block.accessor.count > 0 && number < accessors.size())
-                edit_bounds(moves, block, accessors[number], edits);
+        if (block.accessor.count > 0)
+            edit_bounds(moves, block, accessors, edits);
     const auto buffers = json_elements(text, json_member(text, root, "buffers").value_or(JsonSpan{}));
     for (std::size_t b = 0; b < buffers.size() && b < uris.size(); ++b)
         if (const auto uri = json_member(text, buffers[b], "uri"); uri && !uris[b].empty())

@@ -43,7 +43,8 @@ private:
     void average_instances(const Welding& welding, std::span<const Vec3> wanted, Moves& moves) const;
     void keep_seams_closed(const Welding& welding, Moves& moves) const;
     std::vector<std::string> moved_buffers(const Moves& moves) const;
-    void edit_bounds(const Moves& moves, const GltfBlock& block, JsonSpan accessor, JsonEdits& edits) const;
+    void edit_bounds(const Moves& moves, const GltfBlock& block, std::span<const JsonSpan> accessors,
+                     JsonEdits& edits) const;
     std::string moved_text(const Moves& moves, std::span<const std::string> uris) const;
 
     GltfFile file_;

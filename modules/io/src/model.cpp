@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/io/model.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -20,6 +22,7 @@ struct Model::Impl {
     std::string name;
     std::string bytes;
     Resolver resolver;
+    Limits limits;
     Welded welded;
     std::unique_ptr<CoordinateStore> store;
 
@@ -65,14 +68,16 @@ PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view
 }
 
 Model Model::read_back(const PatchedFiles& files) const {
-    return parse(files.bytes, impl_->format, impl_->name, [&](std::string_view uri) {
+    const Resolver written_or_beside = [&](std::string_view uri) {
         for (const SideFile& side : files.side_files)
             if (side.name == uri)
                 return side.bytes;
         if (!impl_->resolver)
-            throw InputError(fmt::format("{}: nothing is known of its buffer {}", impl_->name, uri));
+            throw InputError(
+                fmt::format("{}: nothing is known of its buffer {}", impl_->name, printable(uri)));
         return impl_->resolver(uri);
-    });
+    };
+    return parse(files.bytes, impl_->format, impl_->name, written_or_beside, impl_->limits);
 }
 
 Vec3 largest_coordinates(const TriangleMesh& mesh) {
@@ -82,7 +87,7 @@ Vec3 largest_coordinates(const TriangleMesh& mesh) {
 
 namespace {
 
-Document read_document(const Source& source, Format format, const Resolver& resolver) {
+Document read_document(const Source& source, Format format, const Resolver& resolver, const Limits& limits) {
     switch (format) {
     case Format::obj:
         return read_obj(source);
@@ -93,9 +98,9 @@ Document read_document(const Source& source, Format format, const Resolver& reso
     case Format::off:
         return read_off(source);
     case Format::gltf:
-        return read_gltf(source, resolver);
+        return read_gltf(source, resolver, limits);
     case Format::glb:
-        return read_glb(source, resolver);
+        return read_glb(source, resolver, limits);
     }
     throw ParameterError("unknown file format");
 }
@@ -108,34 +113,57 @@ void refuse_other_format(const Source& source, Format format) {
                                 name_of(*seen), name_of(format)));
 }
 
-/// Resolver that reads below the folder of `path` only: a mesh file can't make wm3d read anything else.
-Resolver resolver_beside(const std::filesystem::path& path) {
-    return [path](std::string_view uri) {
-        const std::filesystem::path relative(uri);
-        bool leaves = relative.is_absolute() || uri.find("://") != std::string_view::npos;
-        for (const auto& part : relative)
-            leaves = leaves || part == "..";
-        if (leaves)
-            throw InputError(fmt::format("{}: its buffer {} lies outside the file's folder and is not read; "
-                                         "put the buffer beside the file",
-                                         path.string(), uri.substr(0, 60)));
-        return read_file(path.parent_path() / relative);
-    };
+/// Whether the file lies in the folder or below it, once every symbolic link is followed.
+bool lies_below(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    std::error_code failure;
+    const auto real_folder = std::filesystem::canonical(folder.empty() ? "." : folder, failure);
+    const auto real_file = std::filesystem::weakly_canonical(file, failure);
+    return !failure &&
+           std::mismatch(real_folder.begin(), real_folder.end(), real_file.begin(), real_file.end()).first ==
+               real_folder.end();
 }
 
 } // namespace
 
-Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver) {
+Resolver resolver_beside(const std::filesystem::path& path) {
+    return [path](std::string_view uri) {
+        const std::filesystem::path relative(uri), file = path.parent_path() / relative;
+        const auto refuse = [&](std::string_view why) {
+            throw InputError(
+                fmt::format("{}: its buffer {} {}", path.string(), printable(uri.substr(0, 60)), why));
+        };
+        const bool leaves = relative.is_absolute() || uri.find("://") != std::string_view::npos ||
+                            std::ranges::find(relative, "..") != relative.end();
+        if (leaves || !lies_below(file, path.parent_path()))
+            refuse("lies outside the file's folder and is not read; put the buffer beside the file");
+        std::error_code failure;
+        const auto status = std::filesystem::status(file, failure);
+        if (!std::filesystem::exists(status))
+            refuse("is not there; put it beside the file, or save the model as GLB");
+        if (!std::filesystem::is_regular_file(status)) // a pipe would be waited for
+            refuse("is no regular file and is not read");
+        return read_file(file);
+    };
+}
+
+Limits Limits::none() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {.per_byte = infinity, .unpacked_per_byte = infinity};
+}
+
+Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver,
+            const Limits& limits) {
     auto impl = std::make_unique<Model::Impl>();
     impl->format = format;
     impl->bytes = std::move(bytes);
     impl->name = std::move(name);
     impl->resolver = resolver;
+    impl->limits = limits;
     const Source source{impl->name, impl->bytes};
     if (source.bytes.empty())
         source.fail("the file is empty");
     refuse_other_format(source, format);
-    Document document = read_document(source, format, resolver);
+    Document document = read_document(source, format, resolver, limits);
     if (document.triangles.empty())
         source.fail("the file holds no faces, so there is no surface to work on");
     impl->welded = weld(document.positions, document.triangles);
@@ -155,7 +183,7 @@ Model read(const std::filesystem::path& path, const ReadOptions& options) {
             seen ? fmt::format("; its content looks like {0}, so say --format {0}", name_of(*seen))
                  : "; say which it is with --format"));
     }
-    return parse(std::move(bytes), *format, path.string(), resolver_beside(path));
+    return parse(std::move(bytes), *format, path.string(), resolver_beside(path), options.limits);
 }
 
 } // namespace wm3d::io

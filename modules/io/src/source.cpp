@@ -21,17 +21,21 @@ std::size_t line_of(std::string_view bytes, std::size_t offset) {
     return line;
 }
 
-/// A message that quotes parts of a damaged file stays one short line of plain characters.
+/// A message that quotes parts of a damaged file stays one short line.
 std::string plain(std::string_view message) {
     constexpr std::size_t longest = 300;
-    std::string line(message.substr(0, longest));
-    for (char& c : line)
-        if (c < ' ' || c > '~')
-            c = '?';
-    return message.size() > longest ? line + "..." : line;
+    return printable(message.substr(0, longest)) + (message.size() > longest ? "..." : "");
 }
 
 } // namespace
+
+std::string printable(std::string_view text) {
+    std::string line(text);
+    for (char& c : line)
+        if (c < ' ' || c > '~')
+            c = '?';
+    return line;
+}
 
 void Source::fail(std::string_view what) const {
     throw InputError(fmt::format("{}: {}", name, plain(what)));

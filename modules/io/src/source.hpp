@@ -8,6 +8,9 @@
 
 namespace wm3d::io {
 
+/// Text that a file says of itself, fit for a message: one line of plain characters.
+std::string printable(std::string_view text);
+
 struct Source {
     std::string name;
     std::string_view bytes;

@@ -19,7 +19,9 @@ namespace {
 
 /// The square of gltf_support.hpp with packed views; the bytes of the views lie one behind the other.
 std::string packed_asset(const std::string& positions, const std::string& indices,
-                         const std::string& filter = "NONE", int count = 4) {
+                         const std::string& filter = "NONE", int count = 4,
+                         const std::string& index_mode = "TRIANGLES",
+                         const std::string& index_filter = "NONE") {
     const auto view = [](std::size_t offset, std::size_t length, std::size_t bytes, int stride, int elements,
                          const std::string& mode, const std::string& how) {
         return fmt::format(
@@ -32,7 +34,7 @@ std::string packed_asset(const std::string& positions, const std::string& indice
         R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"},)"
         R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}],"bufferViews":[)" +
         view(0, positions.size(), 48, 12, count, "ATTRIBUTES", filter) + "," +
-        view(positions.size(), indices.size(), 12, 2, 6, "TRIANGLES", "NONE") +
+        view(positions.size(), indices.size(), 12, 2, 6, index_mode, index_filter) +
         fmt::format(
             R"(],"buffers":[{{"byteLength":{}}},{{"byteLength":60,"extensions":{{"EXT_meshopt_compression":)"
             R"({{"fallback":true}}}}}}]}})",
@@ -62,6 +64,14 @@ std::string packed_indices() {
     return out;
 }
 
+std::string packed_sequence() {
+    const std::vector<unsigned> indices{0, 1, 2, 0, 2, 3};
+    std::string out(meshopt_encodeIndexSequenceBound(6, 4), '\0');
+    out.resize(meshopt_encodeIndexSequence(reinterpret_cast<unsigned char*>(out.data()), out.size(),
+                                           indices.data(), 6));
+    return out;
+}
+
 } // namespace
 
 TEST_CASE("packed positions and indices are read") {
@@ -70,6 +80,33 @@ TEST_CASE("packed positions and indices are read") {
     CHECK(model.mesh().positions[2] == Vec3(1, 1, 0));
     CHECK(model.mesh().triangles.size() == 2);
     CHECK(model.coordinate_step() > 0);
+}
+
+TEST_CASE("packed sequences of indices are read, and nothing but NONE filters them") {
+    for (const char* mode : {"TRIANGLES", "INDICES"}) {
+        const std::string indices = std::string(mode) == "INDICES" ? packed_sequence() : packed_indices();
+        const auto asset = [&](const char* filter) {
+            return packed_asset(packed_positions(), indices, "NONE", 4, mode, filter);
+        };
+        CHECK(parse_as(Format::glb, asset("NONE")).mesh().triangles.size() == 2);
+        for (const char* filter : {"OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "SOMETHING NEW"})
+            CHECK(mentions(input_error(Format::glb, asset(filter)), "can't be unpacked"));
+    }
+}
+
+TEST_CASE("views of the same packed bytes are bounded together") {
+    const std::string whole = packed_asset(packed_positions(), packed_indices());
+    const auto within = [&](double bytes) {
+        try {
+            parse(whole, Format::glb, "model", {},
+                  {.unpacked_per_byte = bytes / static_cast<double>(whole.size())});
+            return std::string();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+    };
+    CHECK(within(60.5) == "");
+    CHECK(mentions(within(59.5), "--any-size"));
 }
 
 TEST_CASE("packed positions are not written, and that is said") {
@@ -92,6 +129,8 @@ TEST_CASE("what can't be unpacked is refused") {
     other_header[0] = 'x';
     refused(packed_asset(other_header, indices));
     refused(packed_asset(positions, indices, "QUATERNION"));
+    refused(packed_asset(positions, indices, "OCTAHEDRAL"));
+    refused(packed_asset(positions, indices, "NONE", 4, "POINTS"));
     refused(packed_asset(positions, indices, "NONE", 100'000'000)); // before anything is allocated
 }
 

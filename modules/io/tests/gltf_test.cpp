@@ -169,3 +169,15 @@ TEST_CASE("glTF: what can't be read is refused with its reason") {
         input_error(Format::gltf, square_asset(one_node, R"({"uri":"data:x;base64,????","byteLength":60})")),
         "base64"));
 }
+
+TEST_CASE("brackets without end are refused wherever they are") {
+    const std::string deep = std::string(200000, '[') + std::string(200000, ']');
+    const std::string whole =
+        square_asset(R"([{"mesh":0}])", R"({"byteLength":60,"uri":")" + data_uri(square_buffer()) + "\"}");
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"\"2.0\"", deep}, {"\"scene\":0", "\"scene\":" + deep}, {"\"mesh\":0", "\"mesh\":" + deep}}) {
+        std::string bytes = whole;
+        bytes.replace(bytes.find(from), from.size(), to);
+        CHECK(mentions(input_error(Format::gltf, bytes), "brackets nest"));
+    }
+}

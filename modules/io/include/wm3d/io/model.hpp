@@ -36,6 +36,7 @@ enum class Normals {
 };
 
 struct Document;
+struct Limits;
 
 /// A mesh file that was read. A *slot* is one stored vertex (a `v` line, a facet corner, a vertex of one
 /// instance of a glTF mesh); slots that coincide are one *vertex* of the analysis mesh and move together.
@@ -83,19 +84,37 @@ public:
 private:
     struct Impl;
     explicit Model(std::unique_ptr<Impl> impl);
-    friend Model parse(std::string, Format, std::string, const std::function<std::string(std::string_view)>&);
+    friend Model parse(std::string, Format, std::string, const std::function<std::string(std::string_view)>&,
+                       const Limits&);
     std::unique_ptr<Impl> impl_;
 };
 
 /// Bytes behind a relative URI that a glTF file names; throws InputError if there are none.
 using Resolver = std::function<std::string(std::string_view uri)>;
 
+/// Resolver that reads regular files below the folder of `path` only: a mesh file can't make wm3d read
+/// anything else, by no `..` and by no symbolic link.
+Resolver resolver_beside(const std::filesystem::path& path);
+
+/// How far a file may grow in memory: instances, shared accessors and packing let a few bytes of glTF stand
+/// for any number of vertices.
+struct Limits {
+    double per_byte = 2;           ///< vertices, triangles and primitives shown, for each byte of the asset
+    std::size_t always = 1u << 20; ///< as many of each are taken from the smallest file
+    double unpacked_per_byte = 64; ///< bytes out of packed views, for each byte of the asset
+
+    /// No limit but memory, for files whose origin is known.
+    static Limits none();
+};
+
 /// Reads a mesh out of `bytes`; `name` stands for the file in messages.
-/// \throw InputError  if the bytes are no mesh of this format, or an empty one
-Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver = {});
+/// \throw InputError  if the bytes are no mesh of this format, an empty one, or one beyond `limits`
+Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver = {},
+            const Limits& limits = {});
 
 struct ReadOptions {
     std::optional<Format> format{}; ///< default: by the file's extension
+    Limits limits{};
 };
 
 /// Reads a mesh file. External buffers of glTF are looked for below the file's folder only.
