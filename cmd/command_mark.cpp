@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_mark.hpp"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 
@@ -39,17 +40,29 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
             result.coordinate_step, result.marked.distortion.normal_rms));
 }
 
+/// Refuses to write over the key, which nothing could bring back.
+void protect_key(const MarkArguments& arguments) {
+    for (const std::string& target : {arguments.files.output, arguments.receipt}) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(target, arguments.key, ignored))
+            throw ParameterError(
+                fmt::format("{}: this is the key, which is never written over; name another file", target));
+    }
+}
+
+/// The marked file, its side files and the receipt: all of them, or none.
 void write(const watermark::MarkedModel& result, const io::Model& model, const key::Key& key,
            const MarkArguments& arguments, Output& output) {
-    const io::WriteOptions options{.overwrite = arguments.files.overwrite};
-    if (arguments.files.output == "-")
+    const bool to_stream = arguments.files.output == "-";
+    io::FileSet set({.overwrite = arguments.files.overwrite});
+    if (!to_stream)
+        io::add_files(set, arguments.files.output, result.files);
+    if (!arguments.receipt.empty()) // last: it speaks of files that are there
+        set.add(arguments.receipt,
+                resync::to_text(watermark::make_receipt(model, result, key, output.progress())));
+    if (to_stream)
         output.write_bytes(result.files.bytes);
-    else
-        io::write_files(arguments.files.output, result.files, options);
-    if (!arguments.receipt.empty())
-        io::write_file(arguments.receipt,
-                       resync::to_text(watermark::make_receipt(model, result, key, output.progress())),
-                       options);
+    set.commit();
 }
 
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
@@ -127,6 +140,7 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
         check_target(arguments.receipt, arguments.files.overwrite);
+    protect_key(arguments);
     const key::Key key = load_key(arguments.key, output);
     const io::Model model = read_input(arguments.files);
     watermark::require_same_format(model.format(), format, arguments.files.output);

@@ -52,6 +52,7 @@ io::Format format_of(const std::string& path, const std::string& fallback) {
 
 void add_input(CLI::App& app, MeshFiles& files) {
     app.add_option("IN", files.input, "Mesh to read; '-' is standard input")->option_text("FILE")->required();
+    app.add_flag("--any-size", files.any_size)->group("");
     add_format(app, files);
 }
 
@@ -87,12 +88,13 @@ io::Model read_input(const MeshFiles& files) {
         std::error_code ignored;
         if (!fs::exists(files.input, ignored) || fs::is_directory(files.input, ignored))
             io::read_file(files.input);
-        return io::read(files.input, {.format = format_of(files.input, files.format)});
+        return io::read(files.input,
+                        {.format = format_of(files.input, files.format), .limits = files.limits()});
     }
     std::string bytes = read_standard_input();
     const auto proven = files.format.empty() ? io::format_of_content(bytes) : std::nullopt;
     const io::Format format = proven ? *proven : format_of(files.input, files.format);
-    return io::parse(std::move(bytes), format, display_name(files.input));
+    return io::parse(std::move(bytes), format, display_name(files.input), {}, files.limits());
 }
 
 void write_output(const MeshFiles& files, std::string_view bytes, Output& output) {

@@ -20,9 +20,12 @@ struct MeshFiles {
     std::string output;
     std::string format;     ///< of "-" and of names without a known extension; empty: not given
     bool overwrite = false; ///< replace an output that exists
+    bool any_size = false;  ///< lift the limits on what a small file may grow to
+
+    io::Limits limits() const { return any_size ? io::Limits::none() : io::Limits{}; }
 };
 
-/// Adds the argument IN and --format.
+/// Adds the argument IN, --format, and --any-size, which only the error that it lifts speaks of.
 void add_input(CLI::App& app, MeshFiles& files);
 
 /// Adds -o/--output, --overwrite and --format.

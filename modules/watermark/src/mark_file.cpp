@@ -95,10 +95,11 @@ MarkedFile mark_file(const std::filesystem::path& in, const std::filesystem::pat
     MarkedModel result = mark_model(model, key, {options.mark, options.normals, out.string()}, progress);
     MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.ambiguity};
     if (report.written) {
-        io::write_files(out, result.files, writing);
-        if (!options.receipt.empty())
-            io::write_file(options.receipt, resync::to_text(make_receipt(model, result, key, progress)),
-                           writing);
+        io::FileSet files(writing);
+        io::add_files(files, out, result.files);
+        if (!options.receipt.empty()) // last: it speaks of files that are there
+            files.add(options.receipt, resync::to_text(make_receipt(model, result, key, progress)));
+        files.commit();
     } else {
         report.reason = fmt::format("{}: {}", in.string(), describe_loss(result, options.mark.pf));
     }
