@@ -1,37 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "closest_on_triangle.hpp"
 
-#include <algorithm>
-
 namespace wm3d::metrics {
 
-namespace {
-
-/// Share of b in the point of segment a-b closest to p.
-double along_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 side = b - a;
-    const double square = side.squaredNorm();
-    return square > 0 ? std::clamp((p - a).dot(side) / square, 0.0, 1.0) : 0.0;
-}
-
-} // namespace
-
 Vec3 closest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-    // Inside: areas of the three parts, seen along the normal.
-    const Vec3 normal = (b - a).cross(c - a);
-    const double square = normal.squaredNorm();
-    if (square > 0) {
-        const double wb = (p - a).cross(c - a).dot(normal) / square;
-        const double wc = (b - a).cross(p - a).dot(normal) / square;
-        if (wb >= 0 && wc >= 0 && wb + wc <= 1)
-            return {1 - wb - wc, wb, wc};
+    // By the region that p lies over: C. Ericson, "Real-Time Collision Detection" (2005), section 5.1.5.
+    const Vec3 ab = b - a, ac = c - a;
+    const auto along = [&](const Vec3& side, const Vec3& from) { return side.dot(p - from); };
+    const double ab_a = along(ab, a), ac_a = along(ac, a);
+    if (ab_a <= 0 && ac_a <= 0)
+        return {1, 0, 0};
+    const double ab_b = along(ab, b), ac_b = along(ac, b);
+    if (ab_b >= 0 && ac_b <= ab_b)
+        return {0, 1, 0};
+    // Areas that p, seen along the normal, spans with the sides, times twice the area.
+    const double of_c = ab_a * ac_b - ab_b * ac_a;
+    if (of_c <= 0 && ab_a >= 0 && ab_b <= 0) {
+        const double share = ab_a / (ab_a - ab_b);
+        return {1 - share, share, 0};
     }
-    // Outside, or no area: the best of the three sides.
-    const double ab = along_segment(p, a, b), bc = along_segment(p, b, c), ca = along_segment(p, c, a);
-    const Vec3 candidates[] = {{1 - ab, ab, 0}, {0, 1 - bc, bc}, {ca, 0, 1 - ca}};
-    const auto distance = [&](const Vec3& w) { return (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm(); };
-    return *std::min_element(std::begin(candidates), std::end(candidates),
-                             [&](const Vec3& u, const Vec3& v) { return distance(u) < distance(v); });
+    const double ab_c = along(ab, c), ac_c = along(ac, c);
+    if (ac_c >= 0 && ab_c <= ac_c)
+        return {0, 0, 1};
+    const double of_b = ab_c * ac_a - ab_a * ac_c;
+    if (of_b <= 0 && ac_a >= 0 && ac_c <= 0) {
+        const double share = ac_a / (ac_a - ac_c);
+        return {1 - share, 0, share};
+    }
+    const double of_a = ab_b * ac_c - ab_c * ac_b;
+    const double towards_c = ac_b - ab_b, towards_b = ab_c - ac_c;
+    if (of_a <= 0 && towards_c >= 0 && towards_b >= 0) {
+        const double share = towards_c / (towards_c + towards_b);
+        return {0, 1 - share, share};
+    }
+    const double sum = of_a + of_b + of_c;
+    return {1 - (of_b + of_c) / sum, of_b / sum, of_c / sum};
 }
 
 } // namespace wm3d::metrics

@@ -31,8 +31,7 @@ double magnitude(const Symmetric& s) {
 } // namespace
 
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                           const PerScale& radii) {
-    const std::vector<double> angles = edge_angles(mesh, graph);
+                                           const std::vector<double>& angles, const PerScale& radii) {
     const double largest = *std::ranges::max_element(radii);
     const std::size_t count = mesh.positions.size();
     std::vector<PerScale> curvature(count, PerScale{});

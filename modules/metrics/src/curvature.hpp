@@ -20,8 +20,8 @@ using PerScale = std::array<double, 3>;
 ///     1 / (pi r^2) sum over edges of angle(e) length(e within the ball) e e^T,
 /// in the ball of radius r around the vertex, over the edges that a walk outwards from the vertex takes; the
 /// eigenvalue of least magnitude belongs to the normal and is left out. Near borders, where the ball holds
-/// less than a disc, the figure is too low. \pre  radii > 0
+/// less than a disc, the figure is too low. \pre  radii > 0, and `angles` are the `edge_angles`
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                           const PerScale& radii);
+                                           const std::vector<double>& angles, const PerScale& radii);
 
 } // namespace wm3d::metrics

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/metrics/msdm2.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <optional>
+#include <mutex>
+#include <span>
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
@@ -62,7 +64,18 @@ double minkowski_mean(const std::vector<double>& local, double exponent) {
 struct Msdm2::Prepared {
     const SurfaceTree& tree;
     Msdm2Options options;
-    EdgeGraph graph; ///< of the reference
+    EdgeGraph graph;            ///< of the reference
+    std::vector<double> angles; ///< of its edges
+
+    Prepared(const SurfaceTree& surface, const Msdm2Options& chosen)
+        : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)) {}
+
+    /// Distance of each vertex of the reference from the triangles that it doesn't belong to, #V; 0 where it
+    /// belongs to none.
+    const std::vector<double>& clearances() const;
+
+    /// The reference's point closest to where its vertex went.
+    ClosestPoint match(Index vertex, const Vec3& moved) const;
 
     /// Curvatures and matches of the vertices; S is `side`.
     std::vector<WindowSample> samples(const TriangleMesh& distorted, const EdgeGraph& around,
@@ -80,21 +93,51 @@ struct Msdm2::Prepared {
             return measure(graph);
         return measure(EdgeGraph(distorted));
     }
+
+private:
+    mutable std::once_flag cleared_;
+    mutable std::vector<double> clearances_; ///< made at first need
 };
+
+const std::vector<double>& Msdm2::Prepared::clearances() const {
+    std::call_once(cleared_, [&] {
+        const TriangleMesh& mesh = tree.mesh();
+        clearances_.resize(mesh.positions.size(), 0.0);
+        parallel_blocks(clearances_.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                const std::span<const Index> own = graph.triangles_at(v);
+                if (std::ranges::any_of(own, [&](Index f) { return area_vector(mesh, f).squaredNorm() > 0; }))
+                    clearances_[v] = tree.distance_but(own, mesh.positions[v]);
+            }
+        });
+    });
+    return clearances_;
+}
+
+ClosestPoint Msdm2::Prepared::match(Index vertex, const Vec3& moved) const {
+    const std::span<const Index> own = graph.triangles_at(vertex);
+    const double move = (moved - tree.mesh().positions[vertex]).norm();
+    // All other triangles are farther than where the vertex was.
+    if (move < 0.499 * clearances()[vertex])
+        return tree.closest_of(own, moved);
+    return own.empty() ? tree.closest(moved) : tree.closest(moved, vertex, own.front());
+}
 
 std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
                                                    double side) const {
     const PerScale radii = times(side * options.curvature_ratio, options.scales);
-    const std::vector<PerScale> of_distorted = curvature_magnitudes(distorted, around, radii);
-    const std::vector<PerScale> of_reference = curvature_magnitudes(tree.mesh(), graph, radii);
+    const std::vector<PerScale> of_distorted =
+        curvature_magnitudes(distorted, around, edge_angles(distorted, around), radii);
+    const std::vector<PerScale> of_reference = curvature_magnitudes(tree.mesh(), graph, angles, radii);
     const bool same_triangles = &around == &graph;
+    if (same_triangles)
+        clearances(); // here, where all threads are free for them
     std::vector<WindowSample> samples(distorted.positions.size());
     parallel_blocks(samples.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
             const Vec3& p = distorted.positions[v];
-            // A vertex that moved a little lies close to the triangles that it belonged to.
             const ClosestPoint match =
-                same_triangles ? tree.closest(p, graph.triangles_at(v)) : tree.closest(p);
+                same_triangles ? this->match(static_cast<Index>(v), p) : tree.closest(p);
             samples[v] = {match.position, times(side, of_distorted[v]),
                           times(side, blend(tree.mesh(), match.at.triangle, of_reference, p))};
         }
@@ -118,7 +161,7 @@ std::vector<double> Msdm2::Prepared::local(const TriangleMesh& distorted, const 
 }
 
 Msdm2::Msdm2(const SurfaceTree& reference, const Msdm2Options& options)
-    : prepared_(new Prepared{reference, options, EdgeGraph(reference.mesh())}) {}
+    : prepared_(std::make_unique<Prepared>(reference, options)) {}
 
 Msdm2::~Msdm2() = default;
 Msdm2::Msdm2(Msdm2&&) noexcept = default;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/metrics/surface_tree.hpp>
 
+#include <cmath>
 #include <vector>
 
 #include <wm3d/core/error.hpp>
@@ -16,7 +17,7 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
     triangles.reserve(mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f) {
         const Triangle& t = mesh.triangles[f];
-        if (area_vector(mesh, f).norm() > 0)
+        if (has_area(f))
             triangles.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f});
     }
     if (triangles.empty())
@@ -31,20 +32,42 @@ SurfaceTree::SurfaceTree(SurfaceTree&&) noexcept = default;
 SurfaceTree& SurfaceTree::operator=(SurfaceTree&&) noexcept = default;
 
 ClosestPoint SurfaceTree::closest(const Vec3& query) const {
-    return closest(query, {});
+    return on(boxes_->nearest(query).triangle, query);
 }
 
-ClosestPoint SurfaceTree::closest(const Vec3& query, std::span<const Index> likely) const {
-    const auto corner = [&](Index f, std::size_t k) -> const Vec3& {
-        return mesh_->positions[mesh_->triangles[f][k]];
-    };
-    NearestTriangle known;
-    for (Index f : likely)
-        if (area_vector(*mesh_, f).norm() > 0)
-            improve(known, f, squared_distance_to_triangle(query, corner(f, 0), corner(f, 1), corner(f, 2)));
+ClosestPoint SurfaceTree::closest(const Vec3& query, Index known, Index of) const {
+    if (!has_area(of))
+        return closest(query);
+    const double bound = (mesh_->positions[known] - query).squaredNorm();
+    return on(boxes_->nearest(query, {of, bound}).triangle, query);
+}
+
+ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec3& query) const {
+    NearestTriangle best;
+    for (Index f : triangles) {
+        const Triangle& t = mesh_->triangles[f];
+        if (has_area(f))
+            improve(best, f,
+                    squared_distance_to_triangle(query, mesh_->positions[t[0]], mesh_->positions[t[1]],
+                                                 mesh_->positions[t[2]]));
+    }
+    return on(best.triangle, query);
+}
+
+double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& query) const {
+    return std::sqrt(boxes_->nearest_but(left_out, query).square);
+}
+
+bool SurfaceTree::has_area(Index triangle) const {
+    return area_vector(*mesh_, triangle).squaredNorm() > 0;
+}
+
+ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {
+    const Triangle& t = mesh_->triangles[triangle];
     ClosestPoint closest;
-    const Index f = closest.at.triangle = boxes_->nearest(query, known).triangle;
-    closest.at.barycentric = closest_on_triangle(query, corner(f, 0), corner(f, 1), corner(f, 2));
+    closest.at.triangle = triangle;
+    closest.at.barycentric =
+        closest_on_triangle(query, mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]]);
     closest.position = evaluate(*mesh_, closest.at);
     closest.distance = (closest.position - query).norm();
     return closest;

@@ -71,7 +71,8 @@ void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end) 
     }
 }
 
-NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known) const {
+template<typename Wanted>
+NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const {
     struct Pending {
         std::size_t node, begin, end;
         double square; ///< of the distance to the node's box
@@ -86,7 +87,8 @@ NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known)
         if (is_leaf(at.node)) {
             for (std::size_t i = at.begin; i < at.end; ++i) {
                 const Corners& t = triangles_[i];
-                improve(known, t.triangle, squared_distance_to_triangle(query, t.a, t.b, t.c));
+                if (wanted(t.triangle))
+                    improve(known, t.triangle, squared_distance_to_triangle(query, t.a, t.b, t.c));
             }
             continue;
         }
@@ -101,6 +103,14 @@ NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known)
             stack[size++] = near;
     }
     return known;
+}
+
+NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known) const {
+    return search(query, known, [](Index) { return true; });
+}
+
+NearestTriangle TriangleBoxes::nearest_but(std::span<const Index> left_out, const Vec3& query) const {
+    return search(query, {}, [&](Index f) { return std::ranges::find(left_out, f) == left_out.end(); });
 }
 
 } // namespace wm3d::metrics

@@ -6,6 +6,7 @@
 /// that is nearly right is known.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <wm3d/mesh/types.hpp>
@@ -34,6 +35,9 @@ public:
     /// that may be bettered: the closer it is, the shorter the search.
     NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
 
+    /// The same among all triangles but those listed; `no_index` if there are no others.
+    NearestTriangle nearest_but(std::span<const Index> left_out, const Vec3& query) const;
+
 private:
     struct Box {
         Vec3 min, max;
@@ -42,6 +46,8 @@ private:
         }
     };
 
+    template<typename Wanted>
+    NearestTriangle search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const;
     void build(std::size_t node, std::size_t begin, std::size_t end);
     bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
 

@@ -36,9 +36,14 @@ TriangleMesh cylinder(double radius, double height, std::size_t m, std::size_t n
 
 namespace {
 
-/// At one vertex and radius, with the mesh's own edges.
+std::vector<PerScale> magnitudes(const TriangleMesh& mesh, const PerScale& radii) {
+    const EdgeGraph graph(mesh);
+    return curvature_magnitudes(mesh, graph, edge_angles(mesh, graph), radii);
+}
+
+/// At one vertex and radius.
 double curvature_at(const TriangleMesh& mesh, std::size_t vertex, double radius) {
-    return curvature_magnitudes(mesh, EdgeGraph(mesh), {radius, radius, radius})[vertex][0];
+    return magnitudes(mesh, {radius, radius, radius})[vertex][0];
 }
 
 } // namespace
@@ -53,18 +58,17 @@ TEST_CASE("a cylinder has one curvature, a plane none") {
     const TriangleMesh tube = cylinder(1, 4, 100, 72);
     CHECK(curvature_at(tube, 36 * 100 + 5, 0.4) == doctest::Approx(0.5).epsilon(0.05)); // (1 + 0) / 2
     const TriangleMesh flat = shapes::square(1, 10);
-    for (const PerScale& values : curvature_magnitudes(flat, EdgeGraph(flat), {0.1, 0.2, 0.3}))
+    for (const PerScale& values : magnitudes(flat, {0.1, 0.2, 0.3}))
         for (double value : values)
             CHECK(value == doctest::Approx(0).epsilon(1e-12));
 }
 
 TEST_CASE("several radii in one walk give what each gives alone") {
     const TriangleMesh mesh = shapes::blob(3000, 1);
-    const EdgeGraph graph(mesh);
     const PerScale radii{0.02, 0.05, 0.11};
-    const std::vector<PerScale> together = curvature_magnitudes(mesh, graph, radii);
+    const std::vector<PerScale> together = magnitudes(mesh, radii);
     for (std::size_t k = 0; k < radii.size(); ++k) {
-        const auto alone = curvature_magnitudes(mesh, graph, {radii[k], radii[k], radii[k]});
+        const auto alone = magnitudes(mesh, {radii[k], radii[k], radii[k]});
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             REQUIRE(together[v][k] == doctest::Approx(alone[v][0]).epsilon(1e-9));
     }

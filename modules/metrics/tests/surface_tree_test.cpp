@@ -49,6 +49,21 @@ TEST_CASE("the tree finds what a search over all triangles finds") {
     }
 }
 
+TEST_CASE("what is known of a query changes the time, not the answer") {
+    const TriangleMesh mesh = shapes::blob(800, 1);
+    const SurfaceTree tree(mesh);
+    for (Index f = 0; f < mesh.triangles.size(); f += 7) {
+        const Index corner = mesh.triangles[f][f % 3];
+        const Vec3 query = mesh.positions[corner] + Vec3(0.01, -0.02, 0.005);
+        const ClosestPoint plain = tree.closest(query), bounded = tree.closest(query, corner, f);
+        CHECK(bounded.at.triangle == plain.at.triangle);
+        CHECK(bounded.position == plain.position);
+        const std::vector<Index> one{plain.at.triangle};
+        CHECK(tree.closest_of(one, query).position == plain.position);
+        CHECK(tree.distance_but(one, query) >= plain.distance);
+    }
+}
+
 TEST_CASE("triangles without area are passed over, and a mesh of nothing else is refused") {
     TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0.9}}, {{3, 3, 3}, {0, 1, 2}}};
     CHECK(SurfaceTree(mesh).closest({0, 0, 1}).at.triangle == 1);

@@ -44,6 +44,22 @@ TEST_CASE("trees of any number of triangles find what a search over all finds") 
     }
 }
 
+TEST_CASE("some triangles may be left out of a search") {
+    const TriangleMesh mesh = shapes::blob(300, 1);
+    auto corners = corners_of(mesh, mesh.triangles.size());
+    const TriangleBoxes boxes(corners);
+    const Vec3 query = mesh.positions[7];
+    std::vector<Index> left_out;
+    for (int i = 0; i < 9; ++i) {
+        const auto expected = by_search(corners, query), found = boxes.nearest_but(left_out, query);
+        CHECK(found.triangle == expected.triangle);
+        CHECK(found.square == expected.square);
+        left_out.push_back(found.triangle);
+        std::erase_if(corners, [&](const auto& t) { return t.triangle == found.triangle; });
+    }
+    CHECK(TriangleBoxes(corners_of(mesh, 1)).nearest_but(std::vector<Index>{0}, query).triangle == no_index);
+}
+
 TEST_CASE("of triangles that are equally close, the lowest number is found, whatever was known before") {
     const TriangleMesh mesh = shapes::sphere(1, 12);
     const auto corners = corners_of(mesh, mesh.triangles.size());

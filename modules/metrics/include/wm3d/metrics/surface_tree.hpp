@@ -29,12 +29,21 @@ public:
     /// Of triangles that are equally close, that of lowest number.
     ClosestPoint closest(const Vec3& query) const;
 
-    /// The same point, found sooner where one of the triangles `likely` is close to the query.
-    ClosestPoint closest(const Vec3& query, std::span<const Index> likely) const;
+    /// The same point, found sooner the closer `known`, a corner of triangle `of`, is to the query.
+    ClosestPoint closest(const Vec3& query, Index known, Index of) const;
+
+    /// The closest point of some triangles. \pre  one of them has an area
+    ClosestPoint closest_of(std::span<const Index> triangles, const Vec3& query) const;
+
+    /// Distance of all triangles but some; infinite if there are no others.
+    double distance_but(std::span<const Index> left_out, const Vec3& query) const;
 
     const TriangleMesh& mesh() const { return *mesh_; }
 
 private:
+    bool has_area(Index triangle) const;
+    ClosestPoint on(Index triangle, const Vec3& query) const;
+
     const TriangleMesh* mesh_;
     std::unique_ptr<class TriangleBoxes> boxes_;
 };
