@@ -69,8 +69,8 @@ TEST_CASE("a simplified cow has the published program's values") {
         return;
     CHECK(one_sided(*cow, *simple) == doctest::Approx(0.512943).epsilon(2e-6));
     // A third of the cow's vertices are as close to several triangles of the coarse cow, and the value hangs
-    // on which of them counts: the published one on the order of a tree, 0.5926 to 0.5952 by other rules.
-    CHECK(std::abs(both_sides(*cow, *simple) - 0.592208) < 1.5e-3);
+    // on which of them counts: the published one on the order of a tree, 0.5915 to 0.5952 by other rules.
+    CHECK(std::abs(both_sides(*cow, *simple) - 0.592208) < 5e-4);
 }
 
 TEST_CASE("attacked models have the published program's values") {

@@ -13,7 +13,7 @@
 namespace wm3d::metrics {
 
 SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
-    std::vector<TriangleBoxes::Corners> triangles;
+    std::vector<NumberedTriangle> triangles;
     triangles.reserve(mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f) {
         const Triangle& t = mesh.triangles[f];
@@ -47,9 +47,7 @@ ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec
     for (Index f : triangles) {
         const Triangle& t = mesh_->triangles[f];
         if (has_area(f))
-            improve(best, f,
-                    squared_distance_to_triangle(query, mesh_->positions[t[0]], mesh_->positions[t[1]],
-                                                 mesh_->positions[t[2]]));
+            best.improve(query, {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]], f});
     }
     return on(best.triangle, query);
 }

@@ -24,7 +24,7 @@ std::size_t nodes_for(std::size_t count) {
 }
 
 /// Three times the centroid.
-Vec3 centre(const TriangleBoxes::Corners& t) {
+Vec3 centre(const NumberedTriangle& t) {
     return t.a + t.b + t.c;
 }
 
@@ -34,7 +34,20 @@ std::size_t middle(std::size_t begin, std::size_t end) {
 
 } // namespace
 
-TriangleBoxes::TriangleBoxes(std::vector<Corners> triangles)
+void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) {
+    const double other_square = squared_distance_to_triangle(query, other.a, other.b, other.c);
+    if (!may_yield_to(other_square))
+        return;
+    const Vec3 normal = (other.b - other.a).cross(other.c - other.a);
+    const double along = normal.dot(query - other.a), other_height = along * along / normal.squaredNorm();
+    const bool closer = other_square < square * (1 - same);
+    const bool squarer = other_height > height * (1 + same);
+    const bool as_square = other_height >= height * (1 - same);
+    if (closer || squarer || (as_square && other.number < triangle))
+        *this = {other.number, other_square, other_height};
+}
+
+TriangleBoxes::TriangleBoxes(std::vector<NumberedTriangle> triangles)
     : triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
     build(0, 0, triangles_.size());
 }
@@ -44,7 +57,7 @@ void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end) 
     const auto at = [&](std::size_t i) { return first + static_cast<std::ptrdiff_t>(i); };
     Box box{triangles_[begin].a, triangles_[begin].a};
     Box centres{centre(triangles_[begin]), centre(triangles_[begin])};
-    std::for_each(at(begin), at(end), [&](const Corners& t) {
+    std::for_each(at(begin), at(end), [&](const NumberedTriangle& t) {
         box.min = box.min.cwiseMin(t.a).cwiseMin(t.b).cwiseMin(t.c);
         box.max = box.max.cwiseMax(t.a).cwiseMax(t.b).cwiseMax(t.c);
         centres.min = centres.min.cwiseMin(centre(t));
@@ -57,10 +70,11 @@ void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end) 
     Eigen::Index axis = 0;
     (centres.max - centres.min).maxCoeff(&axis);
     const std::size_t half = middle(begin, end);
-    std::nth_element(at(begin), at(half), at(end), [axis](const Corners& s, const Corners& t) {
-        const double x = centre(s)[axis], y = centre(t)[axis];
-        return x < y || (x == y && s.triangle < t.triangle);
-    });
+    std::nth_element(at(begin), at(half), at(end),
+                     [axis](const NumberedTriangle& s, const NumberedTriangle& t) {
+                         const double x = centre(s)[axis], y = centre(t)[axis];
+                         return x < y || (x == y && s.number < t.number);
+                     });
     const auto left = [&] { build(2 * node + 1, begin, half); };
     const auto right = [&] { build(2 * node + 2, half, end); };
     if (end - begin > worth_a_thread)
@@ -82,13 +96,13 @@ NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, 
     stack[size++] = {0, 0, triangles_.size(), boxes_[0].squared_distance(query)};
     while (size > 0) {
         const Pending at = stack[--size];
-        if (at.square > known.square)
+        if (!known.may_yield_to(at.square))
             continue;
         if (is_leaf(at.node)) {
             for (std::size_t i = at.begin; i < at.end; ++i) {
-                const Corners& t = triangles_[i];
-                if (wanted(t.triangle))
-                    improve(known, t.triangle, squared_distance_to_triangle(query, t.a, t.b, t.c));
+                const NumberedTriangle& t = triangles_[i];
+                if (wanted(t.number))
+                    known.improve(query, t);
             }
             continue;
         }
@@ -97,9 +111,9 @@ NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, 
         Pending far{left + 1, half, at.end, boxes_[left + 1].squared_distance(query)};
         if (far.square < near.square)
             std::swap(near, far);
-        if (far.square <= known.square)
+        if (known.may_yield_to(far.square))
             stack[size++] = far;
-        if (near.square <= known.square)
+        if (known.may_yield_to(near.square))
             stack[size++] = near;
     }
     return known;

@@ -13,26 +13,39 @@
 
 namespace wm3d::metrics {
 
+/// Three corners of a triangle and the number that the caller knows it by.
+struct NumberedTriangle {
+    Vec3 a, b, c;
+    Index number;
+};
+
 /// A triangle and how far away it is.
 struct NearestTriangle {
     Index triangle = no_index;
     double square = std::numeric_limits<double>::infinity(); ///< squared distance
+    double height = -1; ///< squared distance from the triangle's plane; less than any where unknown
+
+    /// Takes another triangle if it is closer to the query. Beyond a convex edge or corner several are
+    /// equally close: the one that faces the query most squarely is taken, and if these are several, that of
+    /// lowest number.
+    void improve(const Vec3& query, const NumberedTriangle& other);
+
+    /// Whether a triangle at such a distance may be taken.
+    bool may_yield_to(double other_square) const { return other_square <= square * (1 + same); }
+
+private:
+    static constexpr double same = 1e-10; ///< relative difference that rounding makes
 };
 
 /// A perfect binary tree in one array, as in a heap: the children of node k are 2 k + 1 and 2 k + 2. Node k
 /// covers a run of triangles that follows from k, so nodes hold a box and nothing else.
 class TriangleBoxes {
 public:
-    struct Corners {
-        Vec3 a, b, c;
-        Index triangle; ///< number that the caller knows it by
-    };
-
     /// \pre  triangles is not empty
-    explicit TriangleBoxes(std::vector<Corners> triangles);
+    explicit TriangleBoxes(std::vector<NumberedTriangle> triangles);
 
-    /// The triangle closest to the query, of equally close ones that of lowest number. `known` is an answer
-    /// that may be bettered: the closer it is, the shorter the search.
+    /// The triangle closest to the query, in the sense of `improve`. `known` is an answer that may be
+    /// bettered: the closer it is, the shorter the search.
     NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
 
     /// The same among all triangles but those listed; `no_index` if there are no others.
@@ -51,14 +64,8 @@ private:
     void build(std::size_t node, std::size_t begin, std::size_t end);
     bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
 
-    std::vector<Corners> triangles_; ///< leaf by leaf
-    std::vector<Box> boxes_;         ///< one less than a power of two
+    std::vector<NumberedTriangle> triangles_; ///< leaf by leaf
+    std::vector<Box> boxes_;                  ///< one less than a power of two
 };
-
-/// The better of two answers: closer, or as close and of lower number.
-inline void improve(NearestTriangle& best, Index triangle, double square) {
-    if (square < best.square || (square == best.square && triangle < best.triangle))
-        best = {triangle, square};
-}
 
 } // namespace wm3d::metrics

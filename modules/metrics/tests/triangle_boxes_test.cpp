@@ -12,8 +12,8 @@ using namespace wm3d::metrics;
 
 namespace {
 
-std::vector<TriangleBoxes::Corners> corners_of(const TriangleMesh& mesh, std::size_t count) {
-    std::vector<TriangleBoxes::Corners> corners;
+std::vector<NumberedTriangle> corners_of(const TriangleMesh& mesh, std::size_t count) {
+    std::vector<NumberedTriangle> corners;
     for (Index f = 0; f < count; ++f) {
         const Triangle& t = mesh.triangles[f];
         corners.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f});
@@ -21,10 +21,10 @@ std::vector<TriangleBoxes::Corners> corners_of(const TriangleMesh& mesh, std::si
     return corners;
 }
 
-NearestTriangle by_search(const std::vector<TriangleBoxes::Corners>& corners, const Vec3& query) {
+NearestTriangle by_search(const std::vector<NumberedTriangle>& corners, const Vec3& query) {
     NearestTriangle best;
     for (const auto& t : corners)
-        improve(best, t.triangle, squared_distance_to_triangle(query, t.a, t.b, t.c));
+        best.improve(query, t);
     return best;
 }
 
@@ -55,22 +55,40 @@ TEST_CASE("some triangles may be left out of a search") {
         CHECK(found.triangle == expected.triangle);
         CHECK(found.square == expected.square);
         left_out.push_back(found.triangle);
-        std::erase_if(corners, [&](const auto& t) { return t.triangle == found.triangle; });
+        std::erase_if(corners, [&](const auto& t) { return t.number == found.triangle; });
     }
     CHECK(TriangleBoxes(corners_of(mesh, 1)).nearest_but(std::vector<Index>{0}, query).triangle == no_index);
 }
 
-TEST_CASE("of triangles that are equally close, the lowest number is found, whatever was known before") {
+TEST_CASE(
+    "of triangles that are equally close, the one that faces the query is found, whatever was known before") {
     const TriangleMesh mesh = shapes::sphere(1, 12);
     const auto corners = corners_of(mesh, mesh.triangles.size());
     const TriangleBoxes boxes(corners);
-    for (const Vec3& p : mesh.positions) { // every vertex lies on several triangles
-        const auto expected = by_search(corners, p);
-        CHECK(boxes.nearest(p).triangle == expected.triangle);
+    for (const Vec3& p : mesh.positions) { // beyond every vertex several triangles are equally close
+        const Vec3 query = 1.1 * p + Vec3(1e-3, 2e-3, -1e-3);
+        const auto expected = by_search(corners, query);
+        CHECK(boxes.nearest(query).triangle == expected.triangle);
         for (Index likely : {Index{0}, static_cast<Index>(mesh.triangles.size() - 1)}) {
             const auto& t = corners[likely];
-            CHECK(boxes.nearest(p, {likely, squared_distance_to_triangle(p, t.a, t.b, t.c)}).triangle ==
-                  expected.triangle);
+            const double square = squared_distance_to_triangle(query, t.a, t.b, t.c);
+            CHECK(boxes.nearest(query, {likely, square}).triangle == expected.triangle);
         }
     }
+}
+
+TEST_CASE("facing decides, then the number") {
+    // A ridge along y; the left side falls steeper than the right.
+    const NumberedTriangle right{{0, 0, 0}, {0, 1, 0}, {1, 0, -0.5}, 4},
+        left{{0, 0, 0}, {0, 1, 0}, {-1, 0, -2}, 3};
+    const auto nearest = [](const Vec3& query, const NumberedTriangle& s, const NumberedTriangle& t) {
+        return TriangleBoxes({s, t}).nearest(query).triangle;
+    };
+    const Vec3 above(0.05, 0.5, 1); // as close to both: their common side is closest
+    CHECK(nearest(above, left, right) == 4);
+    CHECK(nearest(above, right, left) == 4);
+    CHECK(nearest({-0.5, 0.2, 0.3}, left, right) == 3);
+    NumberedTriangle twin = right;
+    twin.number = 2;
+    CHECK(nearest(above, right, twin) == 2);
 }

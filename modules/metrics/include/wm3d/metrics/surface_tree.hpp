@@ -26,7 +26,8 @@ public:
     SurfaceTree(SurfaceTree&&) noexcept;
     SurfaceTree& operator=(SurfaceTree&&) noexcept;
 
-    /// Of triangles that are equally close, that of lowest number.
+    /// Of triangles that are equally close, as beyond a convex edge, the one that faces the query most
+    /// squarely.
     ClosestPoint closest(const Vec3& query) const;
 
     /// The same point, found sooner the closer `known`, a corner of triangle `of`, is to the query.
