@@ -15,11 +15,11 @@
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/utf8.hpp>
 #include <wm3d/core/version.hpp>
 #include <wm3d/key/stream.hpp>
 
 #include "sodium.hpp"
-#include "utf8.hpp"
 
 namespace wm3d::key {
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/utf8.hpp>
 
 namespace wm3d::payload {
 
@@ -48,40 +49,6 @@ unsigned long checksum(std::span<const std::uint8_t> bits) {
     for (const std::uint8_t bit : bits)
         crc.process_bit(bit != 0);
     return crc.checksum();
-}
-
-/// Length of the UTF-8 sequence at the head of `text` if it is a character that a terminal may be shown; else
-/// 0.
-std::size_t character_length(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned lead = byte(0);
-    const std::size_t length = lead < 0x80       ? 1
-                               : lead >> 5 == 6  ? 2
-                               : lead >> 4 == 14 ? 3
-                               : lead >> 3 == 30 ? 4
-                                                 : 0;
-    if (length == 0 || length > text.size())
-        return 0;
-    unsigned code = length == 1 ? lead : lead & (0x7fu >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-        if (byte(i) >> 6 != 2)
-            return 0;
-        code = code << 6 | (byte(i) & 0x3fu);
-    }
-    constexpr std::array<unsigned, 5> least{0, 0, 0x80, 0x800, 0x10000}; // overlong forms are none
-    const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    const bool surrogate = code >= 0xd800 && code < 0xe000;
-    return control || surrogate || code > 0x10ffff || code < least[length] ? 0 : length;
-}
-
-bool is_printable(std::string_view text) {
-    while (!text.empty()) {
-        const std::size_t length = character_length(text);
-        if (length == 0)
-            return false;
-        text.remove_prefix(length);
-    }
-    return true;
 }
 
 Message parse_digits(std::string_view argument) {

@@ -26,7 +26,8 @@ std::vector<double> mark_sequence(const key::Secret& secret, unsigned level, dou
     if (content.message)
         add(payload_sequence(secret, level, rmax, *content.message));
     if (content.copy)
-        add(copy_sequence(secret, level, rmax, *content.copy));
+        add(copy_sequence(secret, level, rmax,
+                          copy_number(content.copy->work, content.copy->recipient, level)));
     return sequence;
 }
 

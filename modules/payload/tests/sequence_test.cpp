@@ -32,7 +32,7 @@ TEST_CASE("a mark that says nothing more is the key's own sequence") {
 
 TEST_CASE("the parts have their shares of the energy, which stays the same") {
     const Message message = parse_message("wm3d");
-    const std::uint64_t copy = copy_number("work", "Ann", 5);
+    const CopyLabel copy{"work", "Ann"};
     const std::vector<double> own = key::watermark_sequence(secret, 5, 0.1);
     for (const Content& content : {Content{message, {}}, Content{{}, copy}, Content{message, copy}}) {
         const std::vector<double> mark = mark_sequence(secret, 5, 0.1, content, {0.3});
@@ -42,7 +42,7 @@ TEST_CASE("the parts have their shares of the energy, which stays the same") {
             CHECK(share(mark, payload_sequence(secret, 5, 0.1, message)) ==
                   doctest::Approx(part).epsilon(0.1));
         if (content.copy)
-            CHECK(share(mark, copy_sequence(secret, 5, 0.1, copy)) == doctest::Approx(part).epsilon(0.1));
+            CHECK(share(mark, copy_sequence(secret, 5, 0.1, copy_number("work", "Ann", 5))) == doctest::Approx(part).epsilon(0.1));
         const double energy = std::inner_product(mark.begin(), mark.end(), mark.begin(), 0.0);
         CHECK(energy == doctest::Approx(static_cast<double>(mark.size()) * 0.01 / 3).epsilon(0.05));
     }

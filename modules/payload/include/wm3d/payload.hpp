@@ -8,3 +8,4 @@
 #include <wm3d/payload/reading.hpp>
 #include <wm3d/payload/recipients.hpp>
 #include <wm3d/payload/sequence.hpp>
+#include <wm3d/payload/soft_binding.hpp>

@@ -2,8 +2,8 @@
 /// \file  What a mark says, as one sequence of numbers on the sphere.
 #pragma once
 
-#include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include <wm3d/key/secret.hpp>
@@ -11,10 +11,16 @@
 
 namespace wm3d::payload {
 
+/// Whose copy it is.
+struct CopyLabel {
+    std::string work; ///< digest of what was marked
+    std::string recipient;
+};
+
 /// What a mark says besides whose it is.
 struct Content {
     std::optional<Message> message;
-    std::optional<std::uint64_t> copy; ///< number of the copy, as `copy_number`
+    std::optional<CopyLabel> copy;
 
     bool empty() const { return !message && !copy; }
 };

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "utf8.hpp"
+#include <wm3d/core/utf8.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-namespace wm3d::key {
+namespace wm3d {
 
 namespace {
 
@@ -43,4 +44,15 @@ bool is_utf8(std::string_view text) {
     return true;
 }
 
-} // namespace wm3d::key
+bool is_printable(std::string_view text) {
+    const auto is_c1 = [&](std::size_t i) { // U+0080 to U+009F: the byte c2 and one below a0
+        return static_cast<unsigned char>(text[i]) == 0xc2 && i + 1 < text.size() &&
+               static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (static_cast<unsigned char>(text[i]) < 0x20 || text[i] == 0x7f || is_c1(i))
+            return false;
+    return is_utf8(text);
+}
+
+} // namespace wm3d

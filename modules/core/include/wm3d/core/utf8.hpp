@@ -4,9 +4,12 @@
 
 #include <string_view>
 
-namespace wm3d::key {
+namespace wm3d {
 
 /// Whether the text is well-formed UTF-8 (RFC 3629: shortest forms, no surrogates, at most U+10FFFF).
 bool is_utf8(std::string_view text);
 
-} // namespace wm3d::key
+/// Whether it is well-formed UTF-8 without control characters: what a terminal may be shown.
+bool is_printable(std::string_view text);
+
+} // namespace wm3d
