@@ -34,6 +34,11 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(SODIUM REQUIRED IMPORTED_TARGET libsodium)
 wm3d_third_party(sodium LINK PkgConfig::SODIUM)
 
+if("ledger" IN_LIST WM3D_MODULES)
+    pkg_check_modules(SQLITE REQUIRED IMPORTED_TARGET sqlite3)
+    wm3d_third_party(sqlite LINK PkgConfig::SQLITE)
+endif()
+
 pkg_check_modules(TINYOBJ REQUIRED IMPORTED_TARGET tinyobjloader_double)
 wm3d_third_party(tinyobjloader LINK PkgConfig::TINYOBJ)
 target_compile_definitions(wm3d_third_tinyobjloader INTERFACE TINYOBJLOADER_USE_DOUBLE)
