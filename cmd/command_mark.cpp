@@ -10,9 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/version.hpp>
+#include <wm3d/payload/message.hpp>
 #include <wm3d/study/recommend.hpp>
 #include <wm3d/watermark/mark_file.hpp>
 
+#include "support/copies.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/usage.hpp"
@@ -30,6 +33,8 @@ struct MarkArguments {
     bool automatic = false; ///< find the strength
     double pm = 1e-6;       ///< for `automatic`
     std::string survive;
+    std::optional<std::string> payload, recipient;
+    std::string ledger; ///< empty: the key's name with .ledger
 };
 
 void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
@@ -42,27 +47,12 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
 
 /// Refuses to write over the key, which nothing could bring back.
 void protect_key(const MarkArguments& arguments) {
-    for (const std::string& target : {arguments.files.output, arguments.receipt}) {
+    for (const std::string& target : {arguments.files.output, arguments.receipt, arguments.ledger}) {
         std::error_code ignored;
         if (std::filesystem::equivalent(target, arguments.key, ignored))
             throw ParameterError(
                 fmt::format("{}: this is the key, which is never written over; name another file", target));
     }
-}
-
-/// The marked file, its side files and the receipt: all of them, or none.
-void write(const watermark::MarkedModel& result, const io::Model& model, const key::Key& key,
-           const MarkArguments& arguments, Output& output) {
-    const bool to_stream = arguments.files.output == "-";
-    io::FileSet set({.overwrite = arguments.files.overwrite});
-    if (!to_stream)
-        io::add_files(set, arguments.files.output, result.files);
-    if (!arguments.receipt.empty()) // last: it speaks of files that are there
-        set.add(arguments.receipt,
-                resync::to_text(watermark::make_receipt(model, result, key, output.progress())));
-    if (to_stream)
-        output.write_bytes(result.files.bytes);
-    set.commit();
 }
 
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
@@ -82,6 +72,49 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
             {"pf", arguments.options.pf},
             {"log10_p", check.score.log10_p},
             {"verdict", detect::name(check.verdict)}};
+}
+
+/// The copy as the ledger will know it. The work is the file that is marked, byte for byte.
+ledger::Entry entry_for(const watermark::MarkedModel& result, const key::Key& key,
+                        const MarkArguments& arguments, const payload::CopyLabel& copy) {
+    ledger::Entry entry;
+    entry.work = copy.work;
+    entry.file = std::filesystem::path(arguments.files.input).filename().string();
+    entry.recipient = copy.recipient;
+    entry.copy = resync::digest_of(result.files.bytes).sha256;
+    entry.level = result.marked.level;
+    nlohmann::ordered_json settings = to_json(arguments, key, result.marked, result.check);
+    for (const char* elsewhere : {"input", "output", "key", "level"})
+        settings.erase(elsewhere);
+    entry.settings = settings.dump();
+    entry.tool = fmt::format("wm3d {}", version());
+    return entry;
+}
+
+/// The marked file, its side files and the receipt, and where it is somebody's copy its entry in the ledger:
+/// all of them, or none.
+std::optional<ledger::Entry> write(const watermark::MarkedModel& result, const io::Model& model,
+                                   const key::Key& key, const MarkArguments& arguments,
+                                   const std::optional<payload::CopyLabel>& copy, Output& output) {
+    const bool to_stream = arguments.files.output == "-";
+    io::FileSet set({.overwrite = arguments.files.overwrite});
+    std::vector<std::filesystem::path> targets;
+    if (!to_stream) {
+        io::add_files(set, arguments.files.output, result.files);
+        targets = names_of(arguments.files.output, result.files);
+    }
+    if (!arguments.receipt.empty()) { // last: it speaks of files that are there
+        set.add(arguments.receipt,
+                resync::to_text(watermark::make_receipt(model, result, key, output.progress())));
+        targets.emplace_back(arguments.receipt);
+    }
+    if (to_stream)
+        output.write_bytes(result.files.bytes);
+    if (copy)
+        return enter_copy(ledger_path(arguments.ledger, arguments.key), key,
+                          entry_for(result, key, arguments, *copy), set, targets, arguments.files.overwrite);
+    set.commit();
+    return {};
 }
 
 void tell(const MarkArguments& arguments, const watermark::Marked& marked,
@@ -133,6 +166,11 @@ watermark::MarkModelOptions model_options(const MarkArguments& arguments, const 
     options.normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
     if (arguments.files.output != "-") // what goes to a stream has no files beside it
         options.output_name = arguments.files.output;
+    if (arguments.recipient) {
+        options.mark.content.copy = {resync::digest_of(model.bytes()).sha256, *arguments.recipient};
+        check_entry(ledger_path(arguments.ledger, arguments.key), key, options.mark.content.copy->work,
+                    *arguments.recipient);
+    }
     return options;
 }
 
@@ -145,17 +183,22 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Model model = read_input(arguments.files);
     watermark::require_same_format(model.format(), format, arguments.files.output);
 
-    const watermark::MarkedModel result =
-        watermark::mark_model(model, key, model_options(arguments, model, key, output), output.progress());
+    const watermark::MarkModelOptions options = model_options(arguments, model, key, output);
+    const watermark::MarkedModel result = watermark::mark_model(model, key, options, output.progress());
     warn_if_too_coarse(result, output);
     if (result.loss != watermark::Loss::none) {
         output.fail(fmt::format("{}: {}", arguments.files.input,
                                 watermark::describe_loss(result, arguments.options.pf)));
         return exit_check_failed;
     }
-    write(result, model, key, arguments, output);
+    const std::optional<ledger::Entry> entry =
+        write(result, model, key, arguments, options.mark.content.copy, output);
     tell(arguments, result.marked, result.check, output);
     nlohmann::ordered_json json = to_json(arguments, key, result.marked, result.check);
+    if (result.check.payload)
+        json["payload"] = result.check.payload->message.value;
+    if (entry)
+        json["copy"] = {{"recipient", entry->recipient}, {"work", entry->work}, {"entry", entry->number}};
     if (!arguments.receipt.empty())
         json["receipt"] = arguments.receipt;
     output.print_json(json);
@@ -206,6 +249,18 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
                    "Stored normals: keep, or recompute for the marked surface [keep]")
         ->option_text("MODE")
         ->check(CLI::IsMember({"keep", "recompute"}));
+    app.add_option(
+           "--payload", arguments.payload,
+           "Message that verify reads back: text of up to 8 bytes or 0x and up to 16 digits; twice as "
+           "much where the model bears it")
+        ->option_text("TEXT|0xHEX");
+    auto* recipient = app.add_option("--for", arguments.recipient,
+                                     "Make a copy of its own for this recipient and enter it in the ledger");
+    recipient->option_text("NAME");
+    app.add_option("--ledger", arguments.ledger,
+                   "With --for: ledger of the copies [the key's name with .ledger]")
+        ->option_text("FILE")
+        ->needs(recipient);
     app.add_option("--receipt", arguments.receipt,
                    "Also write what finds cut or ambiguous copies again without the original")
         ->option_text("FILE");
@@ -227,7 +282,17 @@ Action declare_mark(CLI::App& app) {
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d mark scan.ply -o marked.ply --key museum.key\n"
                "  wm3d mark model.glb -o marked.glb --key shop.key --strength 0.02");
-    return [arguments](Output& output) { return run(*arguments, output); };
+    return [arguments](Output& output) {
+        if (arguments->payload)
+            arguments->options.content.message = payload::parse_message(*arguments->payload);
+        if (arguments->recipient)
+            check_recipient(*arguments->recipient);
+        if (arguments->recipient && arguments->files.output == "-")
+            throw ParameterError(
+                "--for enters a copy once it is written whole, which standard output can't tell; name a "
+                "file with -o");
+        return run(*arguments, output);
+    };
 }
 
 } // namespace wm3d::cmd

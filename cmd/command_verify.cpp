@@ -10,11 +10,13 @@
 #include <nlohmann/json.hpp>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/payload/soft_binding.hpp>
 #include <wm3d/resync/receipt.hpp>
 #include <wm3d/watermark/verify.hpp>
 
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
+#include "support/probability_text.hpp"
 #include "support/usage.hpp"
 
 namespace wm3d::cmd {
@@ -49,17 +51,6 @@ Tone tone(Verdict verdict) {
     return verdict == Verdict::present  ? Tone::good
            : verdict == Verdict::absent ? Tone::plain
                                         : Tone::warning;
-}
-
-std::string power_of_ten(double log10_p) {
-    if (std::isnan(log10_p))
-        return "not defined";
-    if (std::isinf(log10_p))
-        return "0";
-    if (log10_p > -4)
-        return fmt::format("{:.2g}", std::pow(10, log10_p));
-    const double exponent = std::floor(log10_p);
-    return fmt::format("{:.1f}e{:.0f}", std::pow(10, log10_p - exponent), exponent);
 }
 
 /// What keeps a search from ruling out a mark.
@@ -174,6 +165,12 @@ std::string figures(const watermark::VerifyReport& report) {
     const watermark::PaperReport& paper = report.paper;
     text += fmt::format("\npaper           rho = {:.3e}, T_rho = {:.3e}, whose true P_f on this mesh is {}\n",
                         paper.statistics.rho, paper.threshold, power_of_ten(paper.log10_true_pf));
+    if (report.payload)
+        text += fmt::format(
+            "payload         {} ({} bits, {:.1f} standard deviations; a random key would show any with "
+            "probability {})\n",
+            payload::to_argument(report.payload->message), payload::capacity(report.payload->format),
+            report.payload->sigmas, power_of_ten(report.payload->log10_p));
     if (report.null)
         text +=
             fmt::format("random keys     {} of {} reach the verdict \"present\"; uniformity of p: {:.3f}\n",
@@ -227,6 +224,20 @@ ordered_json search_json(const watermark::SearchReport& search) {
     return json;
 }
 
+/// The payload as text or digits, and what is known about its reading.
+void add_payload(ordered_json& json, const payload::Reading& reading) {
+    json["payload"] = reading.message.value;
+    json["payload_reading"] = {
+        {"kind", reading.message.kind == payload::Message::Kind::text ? "text" : "hex"},
+        {"bits", payload::capacity(reading.format)},
+        {"log10_p", reading.log10_p},
+        {"sigmas", reading.sigmas},
+        {"coded_bits", reading.coded_bits},
+        {"coded_errors", reading.coded_errors}};
+    json["soft_binding"] = {{"alg", payload::soft_binding_alg},
+                            {"value", payload::soft_binding_value(reading.message)}};
+}
+
 ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyReport& report,
                      const key::Key& key) {
     ordered_json json{{"input", arguments.files.input},
@@ -260,6 +271,8 @@ ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyRe
         json["registration"] = registration_json(*report.registration);
     if (!arguments.reference.empty())
         json["reference"] = {{"covered", report.reference_coverage}, {"decided", report.by_difference}};
+    if (report.payload)
+        add_payload(json, *report.payload);
     if (report.null)
         json["null"] = {{"keys", report.null->keys},
                         {"false_positives", report.null->false_positives},
@@ -415,7 +428,8 @@ Action declare_verify(CLI::App& app) {
                     "mesh can't tell.\n"
                     "The probability that it names is exact for this very mesh: how often a random key "
                     "scores like this.\n"
-                    "Needs the key file alone, for cut copies and pieces of scenes too; a receipt or the original find more.\n"
+                    "Needs the key file alone, for cut copies and pieces of scenes too; a receipt or the "
+                    "original find more.\n"
                     "Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d verify suspect.obj --key museum.key\n"

@@ -8,8 +8,10 @@
 #include "command_attack.hpp"
 #include "command_bench.hpp"
 #include "command_compare.hpp"
+#include "command_identify.hpp"
 #include "command_info.hpp"
 #include "command_keygen.hpp"
+#include "command_ledger.hpp"
 #include "command_maps.hpp"
 #include "command_mark.hpp"
 #include "command_resync.hpp"
@@ -26,6 +28,8 @@ constexpr std::array table{
     Command{"keygen", "Marks", "make an owner's key", declare_keygen},
     Command{"mark", "Marks", "hide a key's mark in a mesh", declare_mark},
     Command{"verify", "Marks", "say whether a key's mark is in a mesh", declare_verify},
+    Command{"identify", "Marks", "say whose copy a mesh was made from", declare_identify},
+    Command{"ledger", "Marks", "tell which copies went to whom", declare_ledger},
     Command{"analyze", "Robustness", "tell how sure an owner can be: P_m over P_f", declare_analyze},
 #ifdef WM3D_WITH_ATTACK
     Command{"attack", "Robustness", "do to a mesh what may happen to it", declare_attack},

@@ -100,7 +100,8 @@ double Marker::normal_rms(std::span<const Vec3> moved_base) const {
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
     const std::vector<Vec3>& base = domain_.mesh.positions;
-    const std::vector<double> w = key::watermark_sequence(secret, setting.level, setting.rmax);
+    const std::vector<double> w =
+        payload::mark_sequence(secret, setting.level, setting.rmax, setting.content);
     const sphere::BumpedSphere bumped(sphere::Icosphere(setting.level), w);
     const std::vector<double> delta = bumped.deltas(base);
     Marked marked;
@@ -131,8 +132,9 @@ Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& op
     const unsigned level = level_of(mesh, key, options); // before any work
     const Marker marker(mesh, options.vertices, progress);
     notify(progress, "marking", 0);
-    Marked marked = marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax),
-                                               options.strength, options.gamma, options.profile});
+    Marked marked =
+        marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax), options.strength,
+                                   options.gamma, options.profile, options.content});
     notify(progress, "marking", 1);
     return marked;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/payload/recipients.hpp>
 #include <wm3d/watermark/receipt.hpp>
 
 namespace wm3d::watermark {
@@ -21,6 +22,22 @@ VerifyReport self_check(const io::Model& model, const io::PatchedFiles& files, c
     options.pf = mark.pf;
     options.vertices = mark.vertices;
     return verify(model.read_back(files).mesh(), key, options, progress);
+}
+
+/// Whether the copy would be told from a million others.
+bool tells_copy(const VerifyReport& check, const key::Key& key, const payload::CopyLabel& copy, double pf) {
+    constexpr std::size_t crowd = 1'000'000;
+    const std::uint64_t number = payload::copy_number(copy.work, copy.recipient, check.level);
+    const std::vector<double> score =
+        payload::copy_scores(key.secret(), check.statistic, std::span(&number, 1));
+    return !payload::accuse(check.statistic, score, std::log10(pf), crowd).empty();
+}
+
+/// Whether what the mark says besides whose it is can be read.
+bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptions& options) {
+    const payload::Content& content = options.content;
+    return (!content.message || (check.payload && check.payload->message == *content.message)) &&
+           (!content.copy || tells_copy(check, key, *content.copy, options.pf));
 }
 
 Loss loss_of(const io::Model& model, const key::Key& key, MarkOptions options, const Marked& marked) {
@@ -51,10 +68,17 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     result.check = self_check(model, result.files, key, options.mark, progress);
     if (result.check.verdict != detect::Verdict::present)
         result.loss = loss_of(model, key, options.mark, result.marked);
+    else if (!is_readable(result.check, key, options.mark))
+        result.loss = Loss::content;
     return result;
 }
 
 std::string describe_loss(const MarkedModel& result, double pf) {
+    if (result.loss == Loss::content)
+        return fmt::format(
+            "nothing was written, because what the mark says could not be read back (the mark itself is "
+            "found with log10 p {:.1f}); allow a stronger mark, or give a shorter payload, which needs less",
+            result.check.score.log10_p);
     return fmt::format(
         "nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is needed); "
         "{}",

@@ -174,6 +174,7 @@ void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequ
     const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
     report.base_vertices = all.suspect.base_vertices();
     report.level = best.level;
+    report.statistic = best.statistic;
     report.pose = best.pose;
     report.pose_origin = all.suspect.pose(best.pose).origin;
     report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
@@ -210,6 +211,17 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
     }
 }
 
+/// The payload in the hypothesis that serves the mark best: that was chosen without a look at the payload's
+/// streams.
+std::optional<payload::Reading> read_payload(const VerifyReport& report, const key::Key& key,
+                                             const VerifyOptions& options) {
+    if (options.detector == Detector::paper)
+        return {};
+    std::optional<payload::Reading> reading =
+        payload::read_payload(key.secret(), report.level, report.statistic);
+    return reading && reading->log10_p <= std::log10(options.pf) ? reading : std::nullopt;
+}
+
 } // namespace
 
 VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
@@ -230,6 +242,7 @@ VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyO
     tell(report, all, key, sequences, options);
     if (may_search(options) && report.verdict != detect::Verdict::present)
         search_further(report, suspect, all, key, sequences, options, progress);
+    report.payload = read_payload(report, key, options);
     if (options.null_keys > 0)
         report.null = score_null_keys(all.family, all.suspect.options().rmax, options.pf, options.null_keys,
                                       options.null_seed, progress);

@@ -5,6 +5,7 @@
 #include <wm3d/watermark/alignment.hpp>
 #include <wm3d/watermark/defaults.hpp>
 #include <wm3d/watermark/examination.hpp>
+#include <wm3d/watermark/identify.hpp>
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/mark_file.hpp>
 #include <wm3d/watermark/null_keys.hpp>

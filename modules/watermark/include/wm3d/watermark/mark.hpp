@@ -6,6 +6,7 @@
 
 #include <wm3d/embed/embed.hpp>
 #include <wm3d/maps/base_domain.hpp>
+#include <wm3d/payload/sequence.hpp>
 #include <wm3d/watermark/examination.hpp>
 
 namespace wm3d::watermark {
@@ -25,6 +26,7 @@ struct MarkOptions {
     std::optional<unsigned> level;           ///< of the watermarking sphere; must be one of the key's
     std::optional<double> rmax;              ///< height of the bumps; the key's own if not given
     double pf = default_pf;                  ///< at which the mark has to be found again
+    payload::Content content;                ///< what the mark says besides whose it is
 };
 
 struct Marked {
@@ -46,6 +48,7 @@ struct MarkSetting {
     double strength = default_strength; ///< as in MarkOptions
     std::optional<double> gamma = std::nullopt;
     Profile profile = Profile::robust;
+    payload::Content content = {};
 };
 
 /// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to

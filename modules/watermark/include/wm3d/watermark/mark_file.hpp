@@ -22,6 +22,7 @@ enum class Loss {
     none,    ///< it is found
     power,   ///< the mesh is too small or too plain for the strength
     storage, ///< the file's coordinates are too coarse for it, or the shape has no clear axes
+    content, ///< it is found, but what it says besides can't be read
 };
 
 struct MarkModelOptions {

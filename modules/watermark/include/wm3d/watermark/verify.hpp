@@ -7,6 +7,7 @@
 #include <string>
 
 #include <wm3d/detect/verdict.hpp>
+#include <wm3d/payload/reading.hpp>
 #include <wm3d/watermark/alignment.hpp>
 #include <wm3d/watermark/examination.hpp>
 #include <wm3d/watermark/search_suspect.hpp>
@@ -68,7 +69,8 @@ struct VerifyReport {
     double largest_opening =
         0; ///< area that would close the suspect's widest border, relative to its surface
     detect::FamilyScore score;
-    unsigned level = 0; ///< of the best hypothesis
+    unsigned level = 0;                       ///< of the best hypothesis
+    detect::LinearStatistic statistic{{}, 1}; ///< its c: what the suspect says about each number of the level
     std::size_t pose = 0;
     std::string pose_origin;
     std::optional<detect::Filter> filter; ///< none with the paper's detector and where the reference decided
@@ -80,6 +82,7 @@ struct VerifyReport {
     double expected_sigmas = 0; ///< of a mark of the key's reference strength
     double predicted_miss = 1;
     PaperReport paper;
+    std::optional<payload::Reading> payload; ///< where the whitened detector reads one, at `pf` or better
     std::optional<NullReport> null;
 };
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  From a suspect and an owner's copies to those that it was made from.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <wm3d/payload/recipients.hpp>
+#include <wm3d/watermark/verify.hpp>
+
+namespace wm3d::watermark {
+
+/// A copy that the owner gave away.
+struct IssuedCopy {
+    std::uint64_t number = 0; ///< as payload::copy_number
+    unsigned level = 0;       ///< of its mark's sphere
+};
+
+struct IdentifyReport {
+    VerifyReport mark;                        ///< whether it is the owner's at all, and where the mark lies
+    std::vector<payload::Accusation> accused; ///< at the P_f that was asked for, the clearest first
+    std::size_t compared = 0; ///< copies whose mark may lie where one was found: those of its level
+    double best_sigmas = 0;   ///< the clearest copy's score, accused or not
+
+    bool is_owners() const { return !accused.empty() || mark.verdict == detect::Verdict::present; }
+};
+
+/// Whose copies the suspect was made from. The suspect is examined once, the owner's common part tells pose,
+/// filter and level, and every copy is one sum of signs there. All copies are paid for, also those of other
+/// levels. \throw GeometryError, ParameterError  as `verify`
+IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::span<const IssuedCopy> copies,
+                        const VerifyOptions& options, const Progress& progress = {});
+
+} // namespace wm3d::watermark

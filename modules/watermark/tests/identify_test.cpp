@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/identify.hpp>
+
+#include <algorithm>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include <wm3d/shapes.hpp>
+#include <wm3d/watermark/mark.hpp>
+
+#include "fixed_key.hpp"
+
+using namespace wm3d;
+using namespace wm3d::watermark;
+
+namespace {
+
+const key::Key key_of_tests = fixed_key();
+constexpr const char* work = "the digest of the blob";
+
+std::string buyer(std::size_t number) {
+    return "buyer " + std::to_string(number);
+}
+
+Marked marked(const TriangleMesh& mesh, const payload::Content& content) {
+    MarkOptions options;
+    options.strength = 0.1;
+    options.content = content;
+    return mark(mesh, key_of_tests, options);
+}
+
+/// Copies of a work for `count` buyers, as a ledger would list them.
+std::vector<IssuedCopy> issued(std::size_t count, unsigned level) {
+    std::vector<IssuedCopy> copies;
+    for (std::size_t r = 0; r < count; ++r)
+        copies.push_back({payload::copy_number(work, buyer(r), level), level});
+    return copies;
+}
+
+IdentifyReport identified(const TriangleMesh& mesh, const std::vector<Vec3>& positions,
+                          const std::vector<IssuedCopy>& copies) {
+    TriangleMesh suspect = mesh;
+    suspect.positions = positions;
+    VerifyOptions options;
+    options.search = SearchUse::never;
+    return identify(suspect, key_of_tests, copies, options);
+}
+
+} // namespace
+
+TEST_CASE(
+    "a copy is told among many, two that were averaged both are, and the owner's own mark is nobody's") {
+    const TriangleMesh mesh = shapes::blob(12000, 4);
+    const Marked one = marked(mesh, {{}, payload::CopyLabel{work, buyer(3)}});
+    const Marked other = marked(mesh, {{}, payload::CopyLabel{work, buyer(150)}});
+    std::vector<IssuedCopy> copies = issued(200, one.level);
+    copies.push_back(
+        {payload::copy_number(work, buyer(3), one.level + 1), one.level + 1}); // of another level
+
+    const IdentifyReport report = identified(mesh, one.positions, copies);
+    REQUIRE(report.accused.size() == 1);
+    CHECK(report.accused[0].copy == 3);
+    CHECK(report.accused[0].log10_p < -20);
+    CHECK(report.compared == 200);
+    CHECK(report.is_owners());
+
+    std::vector<Vec3> mean = one.positions;
+    for (std::size_t i = 0; i < mean.size(); ++i)
+        mean[i] = (mean[i] + other.positions[i]) / 2;
+    const IdentifyReport mixed = identified(mesh, mean, copies);
+    REQUIRE(mixed.accused.size() == 2);
+    CHECK(std::ranges::all_of(mixed.accused, [](const auto& a) { return a.copy == 3 || a.copy == 150; }));
+
+    const IdentifyReport own = identified(mesh, marked(mesh, {}).positions, copies);
+    CHECK(own.accused.empty());
+    CHECK(own.is_owners());
+    CHECK_FALSE(identified(mesh, mesh.positions, copies).is_owners());
+}
+
+TEST_CASE("a payload and a copy in one mark are both read") {
+    const TriangleMesh mesh = shapes::blob(12000, 4);
+    const payload::Content content{payload::parse_message("0xC0FFEE"), payload::CopyLabel{work, buyer(7)}};
+    const Marked both = marked(mesh, content);
+    const IdentifyReport report = identified(mesh, both.positions, issued(20, both.level));
+    REQUIRE(report.accused.size() == 1);
+    CHECK(report.accused[0].copy == 7);
+    REQUIRE(report.mark.payload);
+    CHECK(report.mark.payload->message == *content.message);
+    CHECK(report.mark.payload->log10_p < -20);
+}
