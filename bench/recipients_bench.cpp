@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  The tables of docs/recipients.md: a million copies, wrong accusations, and copies that were mixed.
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <wm3d/attack.hpp>
+#include <wm3d/io.hpp>
+#include <wm3d/key.hpp>
+#include <wm3d/payload.hpp>
+#include <wm3d/watermark/identify.hpp>
+#include <wm3d/watermark/mark.hpp>
+
+namespace {
+
+using namespace wm3d;
+
+constexpr double rmax = 0.1, pf = 1e-6;
+
+std::vector<std::uint64_t> buyers(std::size_t count, unsigned level) {
+    std::vector<std::uint64_t> numbers;
+    for (std::size_t r = 0; r < count; ++r)
+        numbers.push_back(payload::copy_number("work", fmt::format("buyer {}", r), level));
+    return numbers;
+}
+
+/// Normal numbers of deviation 1, near enough: sums of four uniform ones.
+std::vector<double> noise(std::size_t count, std::uint64_t number) {
+    std::vector<double> sum(count, 0.0), part(count);
+    key::Stream stream(key::null_secret(77, number), key::Purpose::trial, 0);
+    for (int k = 0; k < 4; ++k) {
+        stream.fill_symmetric(part, std::sqrt(3.0 / 4));
+        for (std::size_t j = 0; j < count; ++j)
+            sum[j] += part[j];
+    }
+    return sum;
+}
+
+/// What a suspect says that was made from the mean of some copies, each of which alone would score `sigmas`.
+detect::LinearStatistic suspect(const key::Secret& secret, std::span<const std::uint64_t> guilty,
+                                unsigned level, double sigmas, std::uint64_t number) {
+    std::vector<double> c = noise(key::sequence_length(level), number);
+    const double scale = sigmas / std::sqrt(static_cast<double>(c.size())) / payload::sign_height(rmax) /
+                         static_cast<double>(guilty.size());
+    for (const std::uint64_t copy : guilty) {
+        const std::vector<double> sequence = payload::copy_sequence(secret, level, rmax, copy);
+        for (std::size_t j = 0; j < c.size(); ++j)
+            c[j] += scale * sequence[j];
+    }
+    return {std::move(c), rmax};
+}
+
+/// Highest resident memory of this process so far, MB.
+std::string peak_memory() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmHWM:"))
+            return fmt::format("{:.0f} MB", std::stod(line.substr(6)) / 1024);
+    return "unknown";
+}
+
+void million(unsigned level) {
+    const key::Secret secret = key::null_secret(1, 1);
+    const std::vector<std::uint64_t> numbers = buyers(1'000'000, level);
+    const auto statistic = suspect(secret, std::span(numbers).subspan(123'456, 1), level, 12, 1);
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
+    const std::vector<double> scores = payload::copy_scores(secret, statistic, numbers);
+    const auto accused = payload::accuse(statistic, scores, std::log10(pf), numbers.size());
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    fmt::print("| {} | {:.1f} s | {:.1f} s | {} | {} |\n", level, passed.count(),
+               static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC, peak_memory(),
+               accused.size() == 1 && accused[0].copy == 123'456 ? fmt::format("{:.1f}", accused[0].log10_p)
+                                                                 : "wrong");
+}
+
+/// Trials of one guilty copy among a thousand: how often it is named, and how often anybody else.
+void innocents(double sigmas, std::size_t trials) {
+    constexpr unsigned level = 4;
+    const key::Secret secret = key::null_secret(1, 2);
+    const std::vector<std::uint64_t> numbers = buyers(1000, level);
+    std::size_t right = 0, wrong = 0;
+    for (std::size_t t = 0; t < trials; ++t) {
+        const std::size_t guilty = t % numbers.size();
+        const auto statistic = suspect(secret, std::span(numbers).subspan(guilty, 1), level, sigmas, t);
+        for (const payload::Accusation& a : payload::accuse(
+                 statistic, payload::copy_scores(secret, statistic, numbers), std::log10(pf), numbers.size()))
+            ++(a.copy == guilty ? right : wrong);
+    }
+    fmt::print("{} trials at {} deviations: the right one named in {}, another in {}\n", trials, sigmas,
+               right, wrong);
+}
+
+/// The mean of the copies, or for every vertex the place that one of them gives it.
+std::vector<Vec3> mixed(const std::vector<std::vector<Vec3>>& copies, std::size_t count, bool mean) {
+    std::vector<Vec3> result = copies.front();
+    std::vector<std::uint64_t> draw(result.size());
+    key::Stream(key::null_secret(5, count), key::Purpose::trial, 0).fill(draw);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        if (!mean) {
+            result[i] = copies[draw[i] % count][i];
+            continue;
+        }
+        Vec3 sum = Vec3::Zero();
+        for (std::size_t k = 0; k < count; ++k)
+            sum += copies[k][i];
+        result[i] = sum / static_cast<double>(count);
+    }
+    return result;
+}
+
+void collude(const std::filesystem::path& path, const std::vector<std::string>& attacks) {
+    const TriangleMesh mesh = io::read(path).mesh();
+    const key::Key key = key::Key::generate("bench");
+    const unsigned level = watermark::default_level(key.parameters(), mesh.positions.size());
+    std::vector<watermark::IssuedCopy> issued;
+    for (const std::uint64_t number : buyers(1000, level))
+        issued.push_back({number, level});
+    std::vector<std::vector<Vec3>> copies;
+    for (std::size_t r = 0; r < 8; ++r) {
+        watermark::MarkOptions options;
+        options.content.copy = payload::CopyLabel{"work", fmt::format("buyer {}", r)};
+        copies.push_back(watermark::mark(mesh, key, options).positions);
+    }
+    for (const bool mean : {true, false})
+        for (const std::size_t count : {1u, 2u, 3u, 5u, 8u}) {
+            std::vector<std::string> cells;
+            for (const std::string& attack : attacks) {
+                TriangleMesh copy = mesh;
+                copy.positions = mixed(copies, count, mean);
+                const TriangleMesh suspect_mesh = attack::apply(copy, attack::parse_chain(attack), 1);
+                watermark::VerifyOptions options;
+                options.pf = pf;
+                options.search = watermark::SearchUse::never;
+                const auto report = watermark::identify(suspect_mesh, key, issued, options);
+                std::size_t right = 0;
+                for (const payload::Accusation& a : report.accused)
+                    right += a.copy < count;
+                cells.push_back(fmt::format("{}/{}{} ({:.1f})", right, count,
+                                            report.accused.size() > right ? " and wrong ones" : "",
+                                            report.best_sigmas));
+            }
+            fmt::print("| {} | {}, {} | {} |\n", path.stem().string(), mean ? "mean" : "vertices", count,
+                       fmt::join(cells, " | "));
+            std::fflush(stdout);
+        }
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+    const std::vector<std::string> words(arguments + 1, arguments + count);
+    if (words == std::vector<std::string>{"million"})
+        for (const unsigned level : {4u, 5u, 6u})
+            million(level);
+    else if (words.size() == 3 && words[0] == "innocents")
+        innocents(std::stod(words[1]), std::stoul(words[2]));
+    else if (words.size() >= 3 && words[0] == "collude")
+        collude(words[1], {words.begin() + 2, words.end()});
+    else {
+        fmt::print(stderr,
+                   "usage: recipients_bench million | innocents SIGMAS TRIALS | collude MESH ATTACK...\n");
+        return 2;
+    }
+}
