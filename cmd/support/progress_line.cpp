@@ -40,12 +40,26 @@ std::string progress_text(std::string_view stage, double done, std::size_t width
     return fmt::format("{} [{:<{}}] {}", name, std::string(filled, '#'), bar_columns, percent);
 }
 
+std::string time_left(double seconds, double done) {
+    if (!(seconds >= 3 && done >= 0.02 && done < 1))
+        return {};
+    const double left = std::ceil(seconds / done * (1 - done));
+    return left < 100 ? fmt::format(", {:.0f} s left", left)
+                      : fmt::format(", {:.0f} min left", std::ceil(left / 60));
+}
+
 void ProgressLine::update(std::string_view stage, double done) {
     const auto now = std::chrono::steady_clock::now();
+    if (stage != stage_) {
+        stage_ = stage;
+        stage_begin_ = now;
+    }
     if (visible_ && now - drawn_at_ < std::chrono::milliseconds(100))
         return;
+    const double seconds = std::chrono::duration<double>(now - stage_begin_).count();
     // The last column stays free: writing there makes some terminals scroll.
-    write_message(fmt::format("\r\033[K{}", progress_text(stage, done, terminal_columns() - 1)));
+    write_message(fmt::format(
+        "\r\033[K{}", progress_text(stage_ + time_left(seconds, done), done, terminal_columns() - 1)));
     drawn_at_ = now;
     visible_ = true;
 }

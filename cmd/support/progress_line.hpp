@@ -15,6 +15,9 @@ namespace wm3d::cmd {
 /// the bar first.
 std::string progress_text(std::string_view stage, double done, std::size_t width);
 
+/// ", 40 s left" if a stage goes on as it did for these seconds; empty while that says little.
+std::string time_left(double seconds, double done);
+
 /// Draws over its own line on standard error, ten times a second at most, and leaves nothing behind.
 class ProgressLine {
 public:
@@ -29,7 +32,8 @@ public:
     void clear();
 
 private:
-    std::chrono::steady_clock::time_point drawn_at_{};
+    std::chrono::steady_clock::time_point drawn_at_{}, stage_begin_{};
+    std::string stage_;
     bool visible_ = false;
 };
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/progress_line.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
 
 using wm3d::cmd::progress_text;
+using wm3d::cmd::time_left;
 
 TEST_CASE("a wide terminal gets stage, bar and percentage") {
     CHECK(progress_text("simplify", 0.5, 79) == "simplify [############            ]  50 %");
@@ -27,4 +29,13 @@ TEST_CASE("the percentage stays between 0 and 100 and is never rounded up to don
     CHECK(progress_text("x", 7, 8) == "x 100 %");
     CHECK(progress_text("x", 0.999, 8) == "x  99 %");
     CHECK(progress_text("x", std::numeric_limits<double>::quiet_NaN(), 8) == "x   0 %");
+}
+
+TEST_CASE("the time left is told once it can be told") {
+    CHECK(time_left(1, 0.5).empty());
+    CHECK(time_left(10, 0.01).empty());
+    CHECK(time_left(10, 1).empty());
+    CHECK(time_left(10, 0.2) == ", 40 s left");
+    CHECK(time_left(60, 0.1) == ", 9 min left");
+    CHECK(time_left(std::nan(""), 0.5).empty());
 }

@@ -17,15 +17,6 @@ namespace {
 
 constexpr std::size_t chunk = 32; // centres between two looks at what they found
 
-/// Standard deviation of T over keys with the power of this one, degree by degree.
-double spread(const Harmonics& f, const Harmonics& w) {
-    const std::vector<double> of_f = f.power(), of_w = w.power();
-    double variance = 0;
-    for (unsigned l = 0; l < f.bandwidth; ++l)
-        variance += of_f[l] * of_w[l] / (2 * l + 1);
-    return std::sqrt(variance);
-}
-
 /// A target with what the search computes of its key.
 struct Prepared {
     Target target;
@@ -56,6 +47,7 @@ private:
 
     Found best_rotation(const Prepared& prepared, const Vec3& centre) const;
     Candidate climbed(const Found& found, Deformation deformation) const;
+    Candidate climbed_around(const Found& found) const;
     double sigmas(const Prepared& prepared, const Pose& pose) const;
     void refine_and_offer(const Found& found);
     void offer(const Candidate& candidate);
@@ -148,8 +140,26 @@ void Searcher::offer(const Candidate& candidate) {
     }
 }
 
+/// A climb that ends on a shoulder of the right peak starts again around it.
+Candidate Searcher::climbed_around(const Found& found) const {
+    Candidate best = climbed(found, Deformation::none);
+    if (best.sigmas < options_.hopeful || best.sigmas > options_.clear)
+        return best;
+    const Pose middle = best.pose;
+    for (const double side : {1.0, -1.0})
+        for (Eigen::Index axis = 0; axis < 3; ++axis) {
+            Found start = found;
+            start.candidate.pose = middle;
+            start.candidate.pose.centre += side * options_.around * Vec3::Unit(axis);
+            const Candidate other = climbed(start, Deformation::none);
+            if (other.sigmas > best.sigmas)
+                best = other;
+        }
+    return best;
+}
+
 void Searcher::refine_and_offer(const Found& found) {
-    const Candidate better = climbed(found, Deformation::none);
+    const Candidate better = climbed_around(found);
     ++outcome_.refined;
     remember(hopeful_, {better, found.prepared}, options_.finalists);
     offer(better);

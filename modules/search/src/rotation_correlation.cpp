@@ -202,6 +202,14 @@ void RotationCorrelation<Real>::operator()(const Harmonics& f, const Harmonics& 
     }
 }
 
+double spread(const Harmonics& f, const Harmonics& w) {
+    const std::vector<double> of_f = f.power(), of_w = w.power();
+    double variance = 0;
+    for (unsigned l = 0; l < f.bandwidth; ++l)
+        variance += of_f[l] * of_w[l] / (2 * l + 1);
+    return std::sqrt(variance);
+}
+
 template class RotationCorrelation<float>;
 template class RotationCorrelation<double>;
 

@@ -21,6 +21,7 @@ namespace wm3d::watermark {
 namespace {
 
 constexpr double pairs_of_effort_one = 6000; ///< of a centre and a sequence
+constexpr double pairs_of_whole = 1000;      ///< of what has no opening: its centre can't be far away
 constexpr double pairs_about_own_centre = 24;
 /// Of the lattices of centres, in mean radii. At the usual strength a centre 0.03 off still shows a mark
 /// clearly; a centre 0.045 off shows most, for a third of the time.
@@ -70,6 +71,7 @@ public:
 
 private:
     Extent extent(const Suspect& piece, const Examination& seen) const;
+    double pairs_for(const Piece& piece, double wide) const;
     bool look_at_mirror_image();
     bool look_at_piece(Piece& piece);
     bool search_piece(const Piece& piece, double pairs);
@@ -185,8 +187,8 @@ std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const 
 /// mirror image, and the rest.
 std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
     const std::vector<unsigned> levels = ordered_levels(piece.suspect.mesh.positions.size());
-    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.2 : 1));
-    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.4)
+    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.45 : 1));
+    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.2)
                                         : std::vector<Vec3>{};
     const auto first = [&](double part) {
         const auto count = piece.extent == Extent::all ? std::ceil(part * static_cast<double>(wide_.size()))
@@ -195,11 +197,11 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
     };
     std::vector<search::Target> result{{levels.front(), &key(levels.front()), false, wide_}};
     if (levels.size() > 1)
-        result.push_back({levels[1], &key(levels[1]), false, first(0.75)});
-    result.push_back({levels.front(), &key(levels.front()), true, first(0.5)});
+        result.push_back({levels[1], &key(levels[1]), false, first(0.35)});
+    result.push_back({levels.front(), &key(levels.front()), true, first(0.2)});
     result.push_back({levels.front(), &key(levels.front()), false, fine_});
     for (std::size_t k = 2; k < levels.size(); ++k)
-        result.push_back({levels[k], &key(levels[k]), false, first(0.25)});
+        result.push_back({levels[k], &key(levels[k]), false, first(0.1)});
     return result;
 }
 
@@ -269,6 +271,14 @@ Extent SuspectSearch::extent(const Suspect& piece, const Examination& seen) cons
     return seen.ambiguity() == resync::Ambiguity::none ? Extent::none : Extent::own;
 }
 
+/// Pairs of a centre and a sequence that a piece gets, if `wide` of them are searched everywhere.
+double SuspectSearch::pairs_for(const Piece& piece, double wide) const {
+    if (piece.extent == Extent::own)
+        return pairs_about_own_centre;
+    const bool whole = search::outline(piece.suspect.mesh).opening < search::CentreOptions{}.least_opening;
+    return std::min(pairs_of_effort_one / wide, whole ? pairs_of_whole : pairs_of_effort_one);
+}
+
 SearchResult SuspectSearch::run() {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<TriangleMesh> parts = pieces(suspect_.mesh);
@@ -289,10 +299,7 @@ SearchResult SuspectSearch::run() {
     const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
     for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
         if (order[k].extent != Extent::none)
-            found =
-                search_piece(order[k], effort_.effort * (order[k].extent == Extent::all
-                                                             ? pairs_of_effort_one / static_cast<double>(wide)
-                                                             : pairs_about_own_centre));
+            found = search_piece(order[k], effort_.effort * pairs_for(order[k], static_cast<double>(wide)));
     result_.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);
 }

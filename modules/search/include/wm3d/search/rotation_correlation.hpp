@@ -42,6 +42,9 @@ private:
     std::unique_ptr<Tables> tables_;
 };
 
+/// Standard deviation of T over functions w with the power of this one in each degree.
+double spread(const Harmonics& f, const Harmonics& w);
+
 extern template class RotationCorrelation<float>;
 extern template class RotationCorrelation<double>;
 
