@@ -6,6 +6,7 @@
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/umbrella.hpp>
 
 namespace wm3d::detect {
 
@@ -51,53 +52,111 @@ std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<con
     return g;
 }
 
+/// A surface that residuals are measured on.
+struct Geometry {
+    int calming = 0;
+    std::vector<Vec3> positions, normals;
+    SurfaceFilter surface;
+
+    Geometry(TriangleMesh mesh, int steps)
+        : calming(steps), positions(mesh.positions), normals(vertex_normals(mesh)), surface(mesh) {}
+};
+
+TriangleMesh calmed(const TriangleMesh& base, int steps) {
+    constexpr double weight = 0.5;
+    return {steps > 0 ? Umbrella(base).smooth(base.positions, steps, weight) : base.positions,
+            base.triangles};
+}
+
+/// The low pass of the coordinates that some filters share.
+struct Smooth {
+    std::size_t geometry = 0;
+    double t = 0;
+    std::vector<std::vector<double>> coordinates;
+};
+
 } // namespace
 
 struct Evidence::Core {
     EvidenceOptions options;
-    std::vector<Vec3> positions, normals;
-    SurfaceFilter surface;
+    std::vector<Geometry> geometries;         ///< the base itself first
+    std::vector<std::size_t> geometry;        ///< per filter
     std::vector<std::vector<double>> weights; ///< per filter: a_i g_i
-    std::vector<std::vector<double>> pulled;  ///< per filter: HP^T (a g e)
+    std::vector<std::vector<double>> pulled;  ///< per filter: LP^T HP^T (a g e)
 
     Core(const TriangleMesh& base, EvidenceOptions chosen)
-        : options(std::move(chosen)), positions(base.positions), normals(vertex_normals(base)), surface(base),
-          weights(options.filters.size()), pulled(options.filters.size()) {
-        const std::vector<std::vector<double>> x = coordinates(base);
-        const std::span<const double> area = surface.mass();
+        : options(std::move(chosen)), weights(options.filters.size()), pulled(options.filters.size()) {
+        geometries.emplace_back(base, 0);
+        for (const Filter& filter : options.filters)
+            geometry.push_back(geometry_of(base, filter.calming));
+        const std::vector<Smooth> smooth = smooth_coordinates(base);
         parallel_blocks(options.filters.size(), 1, [&](std::size_t f, std::size_t) {
             const Filter& filter = options.filters[f];
-            const std::vector<double> e = normal_residual(base, normals, surface.low_pass(filter.t, x));
+            const SurfaceFilter& surface = surface_of(f);
+            const auto low = std::ranges::find_if(
+                smooth, [&](const Smooth& s) { return s.geometry == geometry[f] && s.t == filter.t; });
+            const std::vector<double> e = normal_residual(base, normals_of(f), low->coordinates);
             weights[f] = residual_weights(surface, e, filter, options.variance_floor);
             for (std::size_t i = 0; i < e.size(); ++i)
-                weights[f][i] *= area[i];
+                weights[f][i] *= surface.mass()[i];
             pulled[f] = pull(f, e);
         });
     }
 
-    /// HP^T (a g e)
+    const SurfaceFilter& surface_of(std::size_t f) const { return geometries[geometry[f]].surface; }
+    const std::vector<Vec3>& normals_of(std::size_t f) const { return geometries[geometry[f]].normals; }
+
+    std::size_t geometry_of(const TriangleMesh& base, int calming) {
+        const auto found = std::ranges::find(geometries, calming, &Geometry::calming);
+        if (found != geometries.end())
+            return static_cast<std::size_t>(found - geometries.begin());
+        geometries.emplace_back(calmed(base, calming), calming);
+        return geometries.size() - 1;
+    }
+
+    std::vector<Smooth> smooth_coordinates(const TriangleMesh& base) const {
+        std::vector<Smooth> smooth;
+        for (std::size_t f = 0; f < options.filters.size(); ++f)
+            if (std::ranges::none_of(smooth, [&](const Smooth& s) {
+                    return s.geometry == geometry[f] && s.t == options.filters[f].t;
+                }))
+                smooth.push_back({geometry[f], options.filters[f].t, {}});
+        const std::vector<std::vector<double>> x = coordinates(base);
+        parallel_blocks(smooth.size(), 1, [&](std::size_t k, std::size_t) {
+            smooth[k].coordinates = geometries[smooth[k].geometry].surface.low_pass(smooth[k].t, x);
+        });
+        return smooth;
+    }
+
+    /// LP^T HP^T (a g e)
     std::vector<double> pull(std::size_t f, std::span<const double> e) const {
+        const Filter& filter = options.filters[f];
         std::vector<double> y(e.size());
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] = weights[f][i] * e[i];
-        const std::vector<double> low = surface.low_pass_transposed(options.filters[f].t, y);
+        const std::vector<double> low = surface_of(f).low_pass_transposed(filter.t, y);
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] -= low[i];
-        return y;
+        return filter.template_t > 0 ? surface_of(f).low_pass_transposed(filter.template_t, y) : y;
     }
 
     /// HP x
-    std::vector<double> high_pass(std::size_t f, std::span<const double> x) const {
-        std::vector<double> h(x.begin(), x.end());
-        const std::vector<double> low = surface.low_pass(options.filters[f].t, {h}).front();
-        for (std::size_t i = 0; i < h.size(); ++i)
-            h[i] -= low[i];
-        return h;
+    std::vector<double> high_pass(std::size_t f, std::vector<double> x) const {
+        const std::vector<double> low = surface_of(f).low_pass(options.filters[f].t, {x}).front();
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] -= low[i];
+        return x;
+    }
+
+    /// LP x
+    std::vector<double> as_template(std::size_t f, std::vector<double> x) const {
+        const double t = options.filters[f].template_t;
+        return t > 0 ? surface_of(f).low_pass(t, {std::move(x)}).front() : x;
     }
 
     /// Root of the area-weighted mean square.
     double rms(std::span<const double> x) const {
-        const std::span<const double> area = surface.mass();
+        const std::span<const double> area = geometries.front().surface.mass();
         double squares = 0, total = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             squares += area[i] * x[i] * x[i];
@@ -110,10 +169,12 @@ struct Evidence::Core {
 Evidence::Evidence(const TriangleMesh& base, EvidenceOptions options)
     : Evidence(std::make_shared<const Core>(base, std::move(options)), Vec3::Zero()) {}
 
-Evidence::Evidence(std::shared_ptr<const Core> core, const Vec3& centre)
-    : core_(std::move(core)), visibility_(core_->positions.size()) {
-    for (std::size_t i = 0; i < visibility_.size(); ++i)
-        visibility_[i] = core_->normals[i].dot((core_->positions[i] - centre).normalized());
+Evidence::Evidence(std::shared_ptr<const Core> core, const Vec3& centre) : core_(std::move(core)) {
+    for (const Geometry& g : core_->geometries) {
+        std::vector<double>& d_n = visibility_.emplace_back(g.positions.size());
+        for (std::size_t i = 0; i < d_n.size(); ++i)
+            d_n[i] = g.normals[i].dot((g.positions[i] - centre).normalized());
+    }
 }
 
 Evidence Evidence::seen_from(const Vec3& centre) const {
@@ -128,15 +189,15 @@ const Filter& Evidence::filter(std::size_t f) const {
     return core_->options.filters[f];
 }
 
-std::vector<double> Evidence::seen(std::span<const double> pulled) const {
+std::vector<double> Evidence::seen(std::size_t geometry, std::span<const double> pulled) const {
     std::vector<double> y(pulled.begin(), pulled.end());
     for (std::size_t i = 0; i < y.size(); ++i)
-        y[i] *= visibility_[i];
+        y[i] *= visibility_[geometry][i];
     return y;
 }
 
 std::vector<double> Evidence::weights_at(std::size_t f) const {
-    return seen(core_->pulled[f]);
+    return seen(core_->geometry[f], core_->pulled[f]);
 }
 
 LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const {
@@ -145,26 +206,28 @@ LinearStatistic Evidence::statistic(std::size_t f, const sphere::SparseRows& row
 
 LinearStatistic Evidence::statistic(std::size_t f, const CellSamples& samples, const sphere::SparseRows& rows,
                                     double rmax) const {
-    return {sphere::multiply_transposed(rows, samples.spread(seen(core_->pulled[f]))), rmax};
+    return {sphere::multiply_transposed(rows, samples.spread(seen(core_->geometry[f], core_->pulled[f]))),
+            rmax};
 }
 
-std::vector<double> Evidence::normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
-    return seen(sphere::multiply(rows, w));
+std::vector<double> Evidence::normal_bumps(std::size_t geometry, const sphere::SparseRows& rows,
+                                           std::span<const double> w) const {
+    return seen(geometry, sphere::multiply(rows, w));
 }
 
 double Evidence::gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const {
-    const double unit = core_->rms(normal_bumps(rows, w));
+    const double unit = core_->rms(normal_bumps(0, rows, w));
     return unit > 0 ? move / unit : 0;
 }
 
 std::vector<double> Evidence::mark_weights_at(std::size_t f, const sphere::SparseRows& rows,
                                               std::span<const double> w, double move) const {
-    std::vector<double> q = normal_bumps(rows, w);
+    std::vector<double> q = normal_bumps(0, rows, w);
     const double unit = core_->rms(q);
     for (double& x : q)
         x *= unit > 0 ? move / unit : 0;
-    const std::vector<double> e = core_->high_pass(f, q); // what the mark adds to the residual
-    return seen(core_->pull(f, e));
+    const std::vector<double> e = core_->high_pass(f, std::move(q)); // what the mark adds to the residual
+    return seen(core_->geometry[f], core_->pull(f, e));
 }
 
 LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows& rows,
@@ -174,7 +237,8 @@ LinearStatistic Evidence::mark_statistic(std::size_t f, const sphere::SparseRows
 
 std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& rows,
                                      std::span<const double> w) const {
-    std::vector<double> q = core_->high_pass(f, normal_bumps(rows, w));
+    std::vector<double> q =
+        core_->high_pass(f, core_->as_template(f, normal_bumps(core_->geometry[f], rows, w)));
     for (std::size_t i = 0; i < q.size(); ++i)
         q[i] *= core_->weights[f][i];
     std::vector<Vec3> gradient(q.size());
@@ -182,9 +246,9 @@ std::vector<Vec3> Evidence::gradient(std::size_t f, const sphere::SparseRows& ro
         const auto axis = static_cast<Eigen::Index>(k);
         std::vector<double> along(q.size());
         for (std::size_t i = 0; i < q.size(); ++i)
-            along[i] = q[i] * core_->normals[i][axis];
+            along[i] = q[i] * core_->normals_of(f)[i][axis];
         const std::vector<double> low =
-            core_->surface.low_pass_transposed(core_->options.filters[f].t, along);
+            core_->surface_of(f).low_pass_transposed(core_->options.filters[f].t, along);
         for (std::size_t i = 0; i < q.size(); ++i)
             gradient[i][axis] = along[i] - low[i];
     });

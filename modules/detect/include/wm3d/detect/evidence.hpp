@@ -22,12 +22,23 @@ struct Filter {
                   ///< roughness
     double
         variance_t; ///< time of the diffusion that averages the local variance; short where creases are sharp
+    /// Time of a low pass that the template of the mark goes through as well: a mark whose carriers were
+    /// rounded off has nothing finer, and noise has.
+    double template_t = 0;
+    /// Normals, areas and the filters' surface are those of a copy that so many umbrella steps of weight 1/2
+    /// smoothed: noise and roundings tilt normals more than they move vertices. The residual stays that of
+    /// the vertices themselves.
+    int calming = 0;
 };
 
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.
-    std::vector<Filter> filters{{3e-5, 1.0, 3e-4}, {2e-4, 0.5, 3e-3}, {1e-3, 0.5, 3e-3}};
+    std::vector<Filter> filters{{3e-5, 1.0, 3e-4},
+                                {2e-4, 0.5, 3e-3},
+                                {3e-5, 0.5, 1e-3, 3e-4},
+                                {1e-4, 0.5, 1e-3, 3e-4, 3},
+                                {1e-3, 0.5, 1e-3, 0, 3}};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
@@ -47,19 +58,19 @@ public:
     const Filter& filter(std::size_t f) const;
 
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
-    std::span<const double> visibility() const { return visibility_; }
+    std::span<const double> visibility() const { return visibility_.front(); }
 
-    /// q = diag(d.n) HP^T (a g e), #base vertices: T is the sum of q_i times the bump in the direction of vertex
-    /// i, wherever the sphere lies.
+    /// q = diag(d.n) HP^T (a g e), #base vertices: T is the sum of q_i times the bump in the direction of
+    /// vertex i, wherever the sphere lies.
     std::vector<double> weights_at(std::size_t f) const;
 
     /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
     /// radius), adds to these if it sits on this very mesh, vertex for vertex.
-    std::vector<double> mark_weights_at(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
-                                        double move) const;
+    std::vector<double> mark_weights_at(std::size_t f, const sphere::SparseRows& rows,
+                                        std::span<const double> w, double move) const;
 
-    /// T = sum_j c_j w_j with c = B^T diag(d.n) HP^T (a g e): a the vertex areas, e the normal residual
-    /// n . HP x, g its weights, HP = I - (M + tL)^-1 M.
+    /// T = sum_j c_j w_j with c = B^T diag(d.n) LP^T HP^T (a g e): a the vertex areas, e the normal residual
+    /// n . HP x, g its weights, HP = I - (M + tL)^-1 M, LP the low pass of the template, if it has one.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
 
     /// The same with what is read at a vertex spread over the points around it; `rows` are B for the samples.
@@ -77,8 +88,8 @@ public:
                                    double rmax, double move) const;
 
     /// How T of the sequence w grows with the base vertices' moves, #base vectors, to first order and with
-    /// normals, areas and weights held: HP^T (a g HP (diag(d.n) B w)) n. The detector's own template of the
-    /// mark.
+    /// normals, areas and weights held: HP^T (a g HP LP (diag(d.n) B w)) n. The detector's own template of
+    /// the mark.
     std::vector<Vec3> gradient(std::size_t f, const sphere::SparseRows& rows,
                                std::span<const double> w) const;
 
@@ -92,11 +103,12 @@ private:
     struct Core; ///< what doesn't depend on the centre
     Evidence(std::shared_ptr<const Core> core, const Vec3& centre);
 
-    std::vector<double> normal_bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
-    std::vector<double> seen(std::span<const double> pulled) const;
+    std::vector<double> normal_bumps(std::size_t geometry, const sphere::SparseRows& rows,
+                                     std::span<const double> w) const;
+    std::vector<double> seen(std::size_t geometry, std::span<const double> pulled) const;
 
     std::shared_ptr<const Core> core_;
-    std::vector<double> visibility_;
+    std::vector<std::vector<double>> visibility_; ///< per geometry of the core
 };
 
 } // namespace wm3d::detect
