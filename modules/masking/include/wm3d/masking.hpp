@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Marks that the eye doesn't find: carriers under a mask, and a budget of visibility.
+#pragma once
+
+#include <wm3d/masking/budget.hpp>
+#include <wm3d/masking/carriers.hpp>

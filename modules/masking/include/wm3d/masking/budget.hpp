@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Keeping to a budget of visibility: how strong a mark may be for an MSDM2.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include <wm3d/masking/carriers.hpp>
+#include <wm3d/mesh/triangle_mesh.hpp>
+#include <wm3d/metrics/msdm2.hpp>
+#include <wm3d/metrics/surface_tree.hpp>
+
+namespace wm3d::masking {
+
+/// Positions of the mesh with a mark of a strength, #V; about linear in the strength.
+using MarkOfStrength = std::function<std::vector<Vec3>(double strength)>;
+
+/// A strength that fits.
+struct Fit {
+    double strength = 0;
+    double msdm2 = 0;            ///< that a mark of this strength was measured to have
+    std::size_t evaluations = 0; ///< of MSDM2
+    bool reached = false;        ///< whether `msdm2` lies just below the budget; else no strength came there
+};
+
+struct BudgetOptions {
+    double aim = 0.99;       ///< of the budget, to stay below it
+    double tolerance = 0.01; ///< accepted distance from the aim
+    std::size_t most_evaluations = 12;
+    /// Windows of an evaluation, at most: on large meshes a share of the vertices tells MSDM2 well enough.
+    std::size_t most_windows = 60'000;
+};
+
+/// The one-sided MSDM2 of marks from the mesh they are for.
+class Budget {
+public:
+    /// \param mesh  has to outlive the object
+    /// \throw GeometryError  if the mesh has no triangle with an area
+    explicit Budget(const TriangleMesh& mesh, const BudgetOptions& options = {});
+
+    /// MSDM2 of the moved mesh, of all of its windows.
+    double visible(const std::vector<Vec3>& positions) const;
+
+    /// Finds the strength whose mark is seen with MSDM2 `budget`: MSDM2 grows about as a power of the
+    /// strength, so that a few evaluations do.
+    /// \param guess  strength to begin with, > 0
+    Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
+
+    /// Weighs the carriers' mask by what a mark of `w` shows: `Carriers::equalize`. The sequence is not to be
+    /// the key's, so that the mask tells nothing of it and the same mask serves any.
+    /// \param guess  root mean square of the trial mark, in units of the mesh
+    void equalize(Carriers& carriers, const sphere::SparseRows& rows, std::span<const double> w,
+                  double budget, double guess) const;
+
+private:
+    double estimate(const std::vector<Vec3>& positions) const;
+    void confirm(Fit& fit, const MarkOfStrength& mark, double budget) const;
+
+    const TriangleMesh& mesh_;
+    BudgetOptions options_;
+    metrics::SurfaceTree tree_;
+    metrics::Msdm2 msdm2_;
+};
+
+} // namespace wm3d::masking

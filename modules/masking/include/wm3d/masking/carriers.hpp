@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  The carriers of a mark at every vertex of the full mesh, each as strong as its surroundings hide.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <wm3d/detect/surface_filter.hpp>
+#include <wm3d/mesh/triangle_mesh.hpp>
+#include <wm3d/sphere/sparse_rows.hpp>
+
+namespace wm3d::masking {
+
+/// Times of diffusion are in units of mean radius squared; docs/detector.md says how they were chosen.
+struct MaskOptions {
+    double carrier_t = 3e-4;  ///< of the low pass that rounds the bumps off
+    double residual_t = 2e-4; ///< of the low pass that the roughness is measured against
+    double spread_t = 1e-3;   ///< over which roughness and what is seen are averaged
+    double floor = 0.1;       ///< of the mask, where the surface is perfectly smooth; 1 is typical roughness
+    /// Roughness counts as typical from this share of its root mean square on: on machined parts the median
+    /// is that of a flat.
+    double least_typical = 0.1;
+    double most = 4; ///< no mask exceeds its area-weighted root mean square this many times
+};
+
+/// The linear map from a sequence w of the sphere's level to moves along the vertex normals,
+///     m = mask .* (M + tL)^-1 M diag(d.n) B w,
+/// on every vertex of the full mesh: no base triangle shows in it. The mask depends on the mesh alone.
+///
+/// The mask starts as the local roughness: the root of the local variance of the normal residual, relative to
+/// its median. `equalize` then weighs it by what a trial mark shows.
+class Carriers {
+public:
+    /// \param mesh  the full welded mesh in its canonical frame; any triangles. Isolated vertices stay.
+    /// \throw GeometryError  if the mesh has no area
+    explicit Carriers(const TriangleMesh& mesh, const MaskOptions& options = {});
+
+    /// Moves along `normals()`, #V, in mean radii per unit of w. Linear in w.
+    /// \param rows  B for the vertices, of the level of w
+    std::vector<double> moves(const sphere::SparseRows& rows, std::span<const double> w) const;
+
+    /// The bumps as they are along the normals, diag(d.n) B w, #V.
+    std::vector<double> bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
+
+    /// Weakens the mask where a trial mark is seen more than `target` and strengthens it where less, by the
+    /// square root of the ratio: half of the way to a mark that is seen alike everywhere.
+    /// \param seen  #V local visibility of the trial mark, >= 0
+    void equalize(std::span<const double> seen, double target);
+
+    std::span<const double> mask() const { return mask_; }
+    const std::vector<Vec3>& normals() const { return normals_; } ///< #V, unit; zero where isolated
+
+    /// Area-weighted root mean square of moves, #V.
+    double rms(std::span<const double> moves) const;
+
+private:
+    void limit();
+
+    MaskOptions options_;
+    detect::SurfaceFilter surface_;
+    std::vector<Vec3> normals_;
+    std::vector<double> area_;       ///< 0 where isolated
+    std::vector<double> visibility_; ///< d.n
+    std::vector<double> mask_;
+};
+
+} // namespace wm3d::masking

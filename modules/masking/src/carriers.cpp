@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/masking/carriers.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <wm3d/mesh/measure.hpp>
+
+namespace wm3d::masking {
+
+namespace {
+
+/// Median over the vertices that have an area.
+double typical_value(std::span<const double> x, std::span<const double> area) {
+    std::vector<double> used;
+    for (std::size_t i = 0; i < x.size(); ++i)
+        if (area[i] > 0)
+            used.push_back(x[i]);
+    if (used.empty())
+        return 0;
+    const auto middle = used.begin() + static_cast<std::ptrdiff_t>(used.size() / 2);
+    std::nth_element(used.begin(), middle, used.end());
+    return *middle;
+}
+
+double area_rms(std::span<const double> x, std::span<const double> area) {
+    double squares = 0, total = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        squares += area[i] * x[i] * x[i];
+        total += area[i];
+    }
+    return total > 0 ? std::sqrt(squares / total) : 0;
+}
+
+/// n . (x - low pass of x), #V.
+std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                                    const detect::SurfaceFilter& surface, double t) {
+    std::vector<std::vector<double>> x(3, std::vector<double>(mesh.positions.size()));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        for (Eigen::Index k = 0; k < 3; ++k)
+            x[static_cast<std::size_t>(k)][i] = mesh.positions[i][k];
+    const std::vector<std::vector<double>> smooth = surface.low_pass(t, x);
+    std::vector<double> e(mesh.positions.size());
+    for (std::size_t i = 0; i < e.size(); ++i)
+        e[i] = normals[i].dot(mesh.positions[i] - Vec3(smooth[0][i], smooth[1][i], smooth[2][i]));
+    return e;
+}
+
+/// Root of the local mean of the squares.
+std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter& surface, double t) {
+    for (double& value : x)
+        value *= value;
+    std::vector<double> result = surface.low_pass(t, {std::move(x)}).front();
+    for (double& value : result)
+        value = std::sqrt(std::max(value, 0.0));
+    return result;
+}
+
+} // namespace
+
+Carriers::Carriers(const TriangleMesh& mesh, const MaskOptions& options)
+    : options_(options), surface_(mesh), normals_(vertex_normals(mesh)), area_(vertex_areas(mesh)),
+      visibility_(mesh.positions.size()),
+      mask_(local_rms(normal_residual(mesh, normals_, surface_, options.residual_t), surface_,
+                      options.spread_t)) {
+    for (std::size_t i = 0; i < visibility_.size(); ++i)
+        visibility_[i] = normals_[i].dot(mesh.positions[i].normalized());
+    const double typical =
+        std::max(typical_value(mask_, area_), options_.least_typical * area_rms(mask_, area_));
+    for (std::size_t i = 0; i < mask_.size(); ++i)
+        mask_[i] = area_[i] > 0 ? (typical > 0 ? mask_[i] / typical : 0) + options_.floor : 0;
+    limit();
+}
+
+void Carriers::limit() {
+    const double most = options_.most * area_rms(mask_, area_);
+    for (double& value : mask_)
+        value = std::min(value, most);
+}
+
+std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
+    std::vector<double> x = sphere::multiply(rows, w);
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] *= visibility_[i];
+    return x;
+}
+
+std::vector<double> Carriers::moves(const sphere::SparseRows& rows, std::span<const double> w) const {
+    std::vector<double> x = surface_.low_pass(options_.carrier_t, {bumps(rows, w)}).front();
+    for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] *= mask_[i];
+    return x;
+}
+
+void Carriers::equalize(std::span<const double> seen, double target) {
+    constexpr double least_seen = 0.02; // of the target: what is seen less is not told apart
+    constexpr double weakest = 0.04, strongest = 5;
+    const std::vector<double> around =
+        surface_.low_pass(options_.spread_t, {{seen.begin(), seen.end()}}).front();
+    for (std::size_t i = 0; i < mask_.size(); ++i)
+        mask_[i] *=
+            std::clamp(std::sqrt(target / std::max(around[i], least_seen * target)), weakest, strongest);
+    limit();
+}
+
+double Carriers::rms(std::span<const double> moves) const {
+    return area_rms(moves, area_);
+}
+
+} // namespace wm3d::masking

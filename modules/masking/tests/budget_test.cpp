@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/masking/budget.hpp>
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include <wm3d/mesh/frame.hpp>
+#include <wm3d/shapes.hpp>
+
+using namespace wm3d;
+using namespace wm3d::masking;
+
+namespace {
+
+constexpr unsigned level = 4;
+
+/// A blob and a mark for it.
+struct Host {
+    TriangleMesh mesh;
+    Carriers carriers;
+    sphere::SparseRows rows;
+    std::vector<double> w;
+
+    Host()
+        : mesh([] {
+              const TriangleMesh blob = shapes::blob(4000, 11);
+              return to_frame(blob, canonical_frame(blob));
+          }()),
+          carriers(mesh), rows(sphere::barycentric_rows(sphere::Icosphere(level), mesh.positions)) {
+        std::uint64_t state = 1;
+        for (std::size_t j = 0; j < rows.columns; ++j) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            w.push_back(0.1 * (static_cast<double>(state >> 11) * 0x1p-52 - 1));
+        }
+    }
+
+    MarkOfStrength mark() const {
+        const std::vector<double> moves = carriers.moves(rows, w);
+        return [this, moves](double strength) {
+            std::vector<Vec3> positions = mesh.positions;
+            for (std::size_t i = 0; i < positions.size(); ++i)
+                positions[i] += strength * moves[i] * carriers.normals()[i];
+            return positions;
+        };
+    }
+};
+
+} // namespace
+
+TEST_CASE("the strength that is found is seen as much as the budget allows") {
+    const Host host;
+    const Budget budget(host.mesh);
+    for (double visible : {0.02, 0.1, 0.3})
+        for (double guess : {1e-4, 1.0}) {
+            CAPTURE(visible);
+            CAPTURE(guess);
+            const Fit fit = budget.fit(host.mark(), visible, guess);
+            CHECK(fit.reached);
+            const double measured = budget.visible(host.mark()(fit.strength));
+            CHECK(measured <= visible);
+            CHECK(measured > 0.97 * visible);
+            CHECK(fit.msdm2 == doctest::Approx(measured));
+        }
+}
+
+TEST_CASE("a mark that moves nothing reaches no budget") {
+    const Host host;
+    const Fit fit = Budget(host.mesh).fit([&](double) { return host.mesh.positions; }, 0.1, 0.01);
+    CHECK_FALSE(fit.reached);
+    CHECK(fit.msdm2 < 1e-9);
+}
+
+TEST_CASE("an equalized mark moves the surface further for what is seen of it") {
+    Host host;
+    const Budget budget(host.mesh);
+    const auto rms = [&] {
+        const double strength = budget.fit(host.mark(), 0.1, 0.01).strength;
+        return strength * host.carriers.rms(host.carriers.moves(host.rows, host.w));
+    };
+    const double before = rms();
+    std::vector<double> trial(host.w.rbegin(), host.w.rend());
+    budget.equalize(host.carriers, host.rows, trial, 0.1, 1e-4);
+    CHECK(rms() > 1.05 * before);
+}
