@@ -116,8 +116,8 @@ study::TrialSetting setting_of(const AnalyzeArguments& arguments, const Triangle
     study::TrialSetting setting;
     setting.vertices = vertices;
     setting.parameters = parameters_of(key);
-    setting.level =
-        arguments.level.value_or(watermark::default_level(setting.parameters, mesh.positions.size()));
+    setting.level = arguments.level.value_or(
+        watermark::default_level(setting.parameters, mesh.positions.size(), watermark::Profile::paper));
     return setting;
 }
 

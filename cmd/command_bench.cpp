@@ -94,7 +94,7 @@ std::vector<study::AttackChain> attacks_of(const BenchArguments& arguments) {
 }
 
 std::string name_of(watermark::Profile profile) {
-    return profile == watermark::Profile::robust ? "robust" : "paper";
+    return std::string(watermark::name(profile));
 }
 
 /// Everything that the results depend on, besides models, keys and attacks, of which more may be added.
@@ -374,8 +374,10 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--profile", arguments.setting.profile,
                    "How marks are laid out, as of `mark`: robust or paper [robust]")
         ->option_text("NAME")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, watermark::Profile>{
-            {"robust", watermark::Profile::robust}, {"paper", watermark::Profile::paper}}));
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, watermark::Profile>{{"masked", watermark::Profile::masked},
+                                                      {"robust", watermark::Profile::robust},
+                                                      {"paper", watermark::Profile::paper}}));
     app.add_flag("--reference", arguments.setting.assisted,
                  "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");

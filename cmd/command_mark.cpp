@@ -41,7 +41,7 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
     if (result.coordinate_step > result.marked.distortion.normal_rms)
         output.warn(fmt::format(
             "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
-            "write the model with more digits before marking it, or raise --strength",
+            "write the model with more digits before marking it, or raise --visibility or --strength",
             result.coordinate_step, result.marked.distortion.normal_rms));
 }
 
@@ -55,23 +55,35 @@ void protect_key(const MarkArguments& arguments) {
     }
 }
 
+/// Whether visibility is what the mark keeps to.
+bool budgeted(const MarkArguments& arguments) {
+    return !arguments.options.strength && !arguments.options.gamma && !arguments.automatic;
+}
+
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
-                               const watermark::Marked& marked, const watermark::VerifyReport& check) {
+                               const watermark::MarkedModel& result) {
+    const watermark::Marked& marked = result.marked;
     const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
-    return {{"input", arguments.files.input},
-            {"output", arguments.files.output},
-            {"key", key.fingerprint()},
-            {"base_vertices", marked.base_vertices},
-            {"profile", marked.profile == watermark::Profile::robust ? "robust" : "paper"},
-            {"level", marked.level},
-            {"rmax", marked.rmax},
-            {"gamma", marked.gamma},
-            {"rms_percent", d.normal_rms},
-            {"vertex_rms_percent", d.vertex_rms},
-            {"max_percent", d.max},
-            {"pf", arguments.options.pf},
-            {"log10_p", check.score.log10_p},
-            {"verdict", detect::name(check.verdict)}};
+    nlohmann::ordered_json json = {{"input", arguments.files.input},
+                                   {"output", arguments.files.output},
+                                   {"key", key.fingerprint()},
+                                   {"base_vertices", marked.base_vertices},
+                                   {"profile", watermark::name(marked.profile)},
+                                   {"level", marked.level},
+                                   {"rmax", marked.rmax},
+                                   {"gamma", marked.gamma},
+                                   {"msdm2", marked.msdm2.value_or(0)},
+                                   {"rms_percent", d.normal_rms},
+                                   {"vertex_rms_percent", d.vertex_rms},
+                                   {"max_percent", d.max},
+                                   {"pf", arguments.options.pf},
+                                   {"log10_p", result.check.score.log10_p},
+                                   {"verdict", detect::name(result.check.verdict)}};
+    if (budgeted(arguments))
+        json["visibility"] = arguments.options.visibility;
+    for (const watermark::Rehearsed& r : result.rehearsed)
+        json["rehearsed"].push_back({{"attack", r.attack}, {"log10_p", r.log10_p}});
+    return json;
 }
 
 /// The copy as the ledger will know it. The work is the file that is marked, byte for byte.
@@ -83,7 +95,7 @@ ledger::Entry entry_for(const watermark::MarkedModel& result, const key::Key& ke
     entry.recipient = copy.recipient;
     entry.copy = resync::digest_of(result.files.bytes).sha256;
     entry.level = result.marked.level;
-    nlohmann::ordered_json settings = to_json(arguments, key, result.marked, result.check);
+    nlohmann::ordered_json settings = to_json(arguments, key, result);
     for (const char* elsewhere : {"input", "output", "key", "level"})
         settings.erase(elsewhere);
     entry.settings = settings.dump();
@@ -117,20 +129,33 @@ std::optional<ledger::Entry> write(const watermark::MarkedModel& result, const i
     return {};
 }
 
-void tell(const MarkArguments& arguments, const watermark::Marked& marked,
-          const watermark::VerifyReport& check, Output& output) {
+std::string rehearsal_line(const std::vector<watermark::Rehearsed>& rehearsed) {
+    std::string line;
+    for (const watermark::Rehearsed& r : rehearsed)
+        line += fmt::format("{}{} {:.1f}", line.empty() ? "" : ", ", r.attack, r.log10_p);
+    return line;
+}
+
+void tell(const MarkArguments& arguments, const watermark::MarkedModel& result, Output& output) {
+    const watermark::Marked& marked = result.marked;
     const embed::Distortion d = watermark::percent(marked.distortion, marked.diagonal);
     output.say(fmt::format("Marked {} and wrote {}; verify finds the mark there with log10 p = {:.1f}.",
                            display_name(arguments.files.input),
-                           display_name(arguments.files.output, "standard output"), check.score.log10_p));
+                           display_name(arguments.files.output, "standard output"),
+                           result.check.score.log10_p));
     if (arguments.files.output == "-")
         return;
-    output.print(fmt::format("move along the normals   {:.4f} % of the box's diagonal (root mean square)\n"
-                             "move of the vertices     {:.4f} % (root mean square), {:.4f} % (largest)\n"
-                             "base vertices            {}\n"
-                             "level, gamma, rmax       {}, {:.4g}, {:g}\n",
-                             d.normal_rms, d.vertex_rms, d.max, marked.base_vertices, marked.level,
-                             marked.gamma, marked.rmax));
+    output.print(fmt::format(
+        "seen                     MSDM2 {:.4f}{}\n"
+        "move along the normals   {:.4f} % of the box's diagonal (root mean square)\n"
+        "move of the vertices     {:.4f} % (root mean square), {:.4f} % (largest)\n"
+        "log10 p, rehearsed       {}\n"
+        "profile                  {}, on {} vertices\n"
+        "level, gamma, rmax       {}, {:.4g}, {:g}\n",
+        marked.msdm2.value_or(0),
+        budgeted(arguments) ? fmt::format(" of at most {:g}", arguments.options.visibility) : "",
+        d.normal_rms, d.vertex_rms, d.max, rehearsal_line(result.rehearsed), watermark::name(marked.profile),
+        marked.base_vertices, marked.level, marked.gamma, marked.rmax));
 }
 
 /// With --auto the smallest strength that meets --pf and --pm, as `analyze --recommend` finds it.
@@ -147,8 +172,8 @@ watermark::MarkOptions resolved_options(const MarkArguments& arguments, const Tr
     study::TrialSetting setting;
     setting.vertices = options.vertices;
     setting.parameters = key.parameters();
-    setting.level =
-        options.level.value_or(watermark::default_level(setting.parameters, mesh.positions.size()));
+    setting.level = options.level.value_or(
+        watermark::default_level(setting.parameters, mesh.positions.size(), watermark::Profile::robust));
     const study::Recommendation advice = study::recommend(mesh, setting, requirement, output.progress());
     if (!advice.reached)
         throw GeometryError(fmt::format(
@@ -156,6 +181,7 @@ watermark::MarkOptions resolved_options(const MarkArguments& arguments, const Tr
             "for less, or mark a finer scan of the model",
             display_name(arguments.files.input), study::largest_strength, requirement.pf, requirement.pm));
     options.strength = advice.strength;
+    options.profile = watermark::Profile::robust; // what the advice is about
     return options;
 }
 
@@ -193,8 +219,8 @@ int run(const MarkArguments& arguments, Output& output) {
     }
     const std::optional<ledger::Entry> entry =
         write(result, model, key, arguments, options.mark.content.copy, output);
-    tell(arguments, result.marked, result.check, output);
-    nlohmann::ordered_json json = to_json(arguments, key, result.marked, result.check);
+    tell(arguments, result, output);
+    nlohmann::ordered_json json = to_json(arguments, key, result);
     if (result.check.payload)
         json["payload"] = result.check.payload->message.value;
     if (entry)
@@ -210,17 +236,21 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     add_input(app, arguments.files);
     add_output(app, arguments.files);
     app.add_option("--key", arguments.key, "Owner's key file")->option_text("FILE (required)")->required();
+    auto* visibility =
+        app.add_option("--visibility", options.visibility,
+                       "What may be seen of the mark: one-sided MSDM2, above 0 and up to 1 [0.1]");
+    visibility->option_text("V")->check(share());
     auto* strength =
         app.add_option("--strength", options.strength,
                        "Root mean square move along the surface normal, in % of the diagonal of the bounding "
-                       "box [0.05]");
-    strength->option_text("P")->check(positive_number());
-    auto* gamma = app.add_option("--gamma", options.gamma,
-                                 "Strength as gamma of the paper's eq. (3), instead of --strength");
-    gamma->option_text("G")->check(positive_number())->excludes(strength);
+                       "box, instead of --visibility");
+    strength->option_text("P")->check(positive_number())->excludes(visibility);
+    auto* gamma =
+        app.add_option("--gamma", options.gamma, "Strength as gamma of the paper's eq. (3), and its profile");
+    gamma->option_text("G")->check(positive_number())->excludes(strength)->excludes(visibility);
     auto* automatic = app.add_flag("--auto", arguments.automatic,
                                    "The smallest that meets --pf and --pm, as analyze --recommend");
-    automatic->option_text("(finds the strength)")->excludes(strength)->excludes(gamma);
+    automatic->option_text("(finds the strength)")->excludes(visibility)->excludes(strength)->excludes(gamma);
     app.add_option("--pm", arguments.pm, "With --auto: miss probability at most [1e-6]")
         ->option_text("P")
         ->check(probability())
@@ -229,19 +259,23 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
                    "With --auto: attacks to survive, such as noise:0.3,simplify:90")
         ->option_text("LIST")
         ->needs(automatic);
-    app.add_option("--vertices", options.vertices, "Vertices of the base domain [20000]")
+    app.add_option("--vertices", options.vertices,
+                   "Vertices of the base domain, where the profile has one [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
     app.add_option("--level", options.level,
-                   "Subdivisions of the watermarking sphere [5, or 4 below 10,242 vertices]")
+                   "Subdivisions of the watermarking sphere [5, or 4 on small meshes]")
         ->option_text("L")
         ->check(number_between(0, sphere::max_level));
     app.add_option(
            "--profile", options.profile,
-           "How the strength is laid out: robust, shaped for the detector, or paper, eq. (3) alone [robust]")
+           "How the mark is laid out: masked, where the surface hides it; robust, shaped for the detector; "
+           "or paper, eq. (3) alone [masked]")
         ->option_text("NAME")
-        ->transform(CLI::CheckedTransformer(std::map<std::string, watermark::Profile>{
-            {"robust", watermark::Profile::robust}, {"paper", watermark::Profile::paper}}));
+        ->transform(CLI::CheckedTransformer(
+            std::map<std::string, watermark::Profile>{{"masked", watermark::Profile::masked},
+                                                      {"robust", watermark::Profile::robust},
+                                                      {"paper", watermark::Profile::paper}}));
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));
@@ -281,7 +315,7 @@ Action declare_mark(CLI::App& app) {
         "nothing is written and the exit status is 1.");
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d mark scan.ply -o marked.ply --key museum.key\n"
-               "  wm3d mark model.glb -o marked.glb --key shop.key --strength 0.02");
+               "  wm3d mark model.glb -o marked.glb --key shop.key --visibility 0.05");
     return [arguments](Output& output) {
         if (arguments->payload)
             arguments->options.content.message = payload::parse_message(*arguments->payload);

@@ -118,6 +118,16 @@ CLI::Validator positive_number() {
         "above 0");
 }
 
+CLI::Validator share() {
+    return CLI::Validator(
+        [](std::string& text) {
+            const double value = parse_number(text);
+            return value > 0 && value <= 1 ? std::string()
+                                           : fmt::format("'{}' is not a number above 0 and up to 1", text);
+        },
+        "above 0, up to 1");
+}
+
 CLI::Validator probability() {
     return CLI::Validator(
         [](std::string& text) {

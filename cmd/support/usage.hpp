@@ -33,6 +33,9 @@ CLI::Validator number_between(double low, double high);
 /// Accepts finite numbers above zero.
 CLI::Validator positive_number();
 
+/// Accepts numbers above 0 and up to 1.
+CLI::Validator share();
+
 /// Accepts numbers above 0 and below 1.
 CLI::Validator probability();
 

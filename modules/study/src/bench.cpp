@@ -33,7 +33,7 @@ class ModelBench {
 public:
     ModelBench(const TriangleMesh& mesh, const BenchSetting& setting, const Progress& progress)
         : mesh_(mesh), setting_(setting),
-          level_(watermark::default_level(setting.parameters, mesh.positions.size())),
+          level_(watermark::default_level(setting.parameters, mesh.positions.size(), setting.profile)),
           marker_(mesh, setting.vertices, progress) {}
 
     TriangleMesh marked(const MarkName& name, double strength, BenchMark& figures) const {

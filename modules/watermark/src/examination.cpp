@@ -35,8 +35,9 @@ detect::LinearStatistic permuted(const detect::LinearStatistic& statistic, std::
 
 } // namespace
 
-unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices) {
-    const int preferred = key::sequence_length(5) <= vertices ? 5 : 4;
+unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices, Profile profile) {
+    const std::size_t enough = key::sequence_length(profile == Profile::masked ? 4 : 5);
+    const int preferred = enough <= vertices ? 5 : 4;
     const auto distance = [&](unsigned level) { return std::abs(static_cast<int>(level) - preferred); };
     return *std::ranges::min_element(parameters.levels, {}, distance);
 }

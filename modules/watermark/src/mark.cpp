@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <mutex>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,9 +20,14 @@ namespace wm3d::watermark {
 
 namespace {
 
+Profile profile_of(const MarkOptions& options) {
+    return options.gamma ? Profile::paper : options.profile;
+}
+
 unsigned level_of(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options) {
     const std::vector<unsigned>& levels = key.parameters().levels;
-    const unsigned level = options.level.value_or(default_level(key.parameters(), mesh.positions.size()));
+    const unsigned level =
+        options.level.value_or(default_level(key.parameters(), mesh.positions.size(), profile_of(options)));
     if (std::ranges::find(levels, level) == levels.end())
         throw ParameterError(
             fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
@@ -29,13 +36,18 @@ unsigned level_of(const TriangleMesh& mesh, const key::Key& key, const MarkOptio
     return level;
 }
 
-double gamma_of(double strength, double unit_rms, double diagonal) {
-    if (!(unit_rms > 0))
+void require_move(double rms) {
+    if (!(rms > 0))
         throw GeometryError(
             "no radial move of this surface shows along its normals, so it can't be marked; a closed "
             "or curved model can");
-    return strength / 100 * diagonal / unit_rms;
 }
+
+/// Trial marks of the masks: a family that no key and no trial draws from.
+constexpr std::uint64_t mask_family = 0x6d61736b;
+
+/// RMS move of the first trial, % of the diagonal: about what a visibility of 0.1 comes to on a scan.
+constexpr double first_strength = 0.02;
 
 maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices, const Progress& progress) {
     simplify::Options options;
@@ -43,82 +55,213 @@ maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices
     return maps::parameterize(canonical, options, progress);
 }
 
-Forecast forecast_on(const Examination& host, unsigned level, const key::Key& key,
-                     const MarkOptions& options) {
-    Sequences sequences(key.secret(), key.parameters().rmax);
-    Forecast result;
-    result.expected_sigmas = host.expected_sigmas(sequences, level, options.strength);
-    result.predicted_miss =
-        detect::predicted_miss(result.expected_sigmas, std::log10(options.pf), host.family().size());
-    return result;
-}
-
 } // namespace
+
+std::string_view name(Profile profile) {
+    switch (profile) {
+    case Profile::masked:
+        return "masked";
+    case Profile::robust:
+        return "robust";
+    default:
+        return "paper";
+    }
+}
 
 embed::Distortion percent(const embed::Distortion& distortion, double diagonal) {
     const double scale = diagonal > 0 ? 100 / diagonal : 0;
     return {distortion.normal_rms * scale, distortion.vertex_rms * scale, distortion.max * scale};
 }
 
-Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
-                  const Progress& progress) {
-    const Examination host(mesh, examination_options(key.parameters(), options.vertices), progress);
-    return forecast_on(host, level_of(mesh, key, options), key, options);
-}
+/// The base domain and the details over it.
+struct Marker::Base {
+    maps::BaseDomain domain;
+    embed::DetailedMesh detailed; ///< refers to `domain`
+
+    Base(const TriangleMesh& canonical, std::size_t vertices, const Progress& progress)
+        : domain(base_domain(canonical, vertices, progress)), detailed(canonical, domain.mesh, domain.point) {
+    }
+};
+
+/// The carriers of a level.
+struct Marker::Carried {
+    sphere::SparseRows rows; ///< B for all vertices
+    masking::Carriers carriers;
+};
+
+/// What was needed so far.
+struct Marker::Made {
+    std::mutex guard;
+    std::unique_ptr<Base> base;
+    std::unique_ptr<masking::Budget> budget;
+    std::map<unsigned, Carried> carried;
+};
 
 Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress)
-    : mesh_(mesh), frame_(canonical_frame(mesh)), diagonal_(surface_box(mesh).diagonal()),
-      canonical_(to_frame(mesh, frame_)), domain_(base_domain(canonical_, vertices, progress)),
-      detailed_(canonical_, domain_.mesh, domain_.point) {}
+    : mesh_(mesh), vertices_(vertices), progress_(progress), frame_(canonical_frame(mesh)),
+      diagonal_(surface_box(mesh).diagonal()), canonical_(to_frame(mesh, frame_)),
+      made_(std::make_unique<Made>()) {}
 
-std::vector<Vec3> Marker::bumpy_base(std::span<const double> delta, double gamma) const {
-    return embed::mark_base(domain_.mesh.positions, delta, gamma);
+Marker::~Marker() = default;
+
+const Marker::Base& Marker::base() const {
+    const std::lock_guard lock(made_->guard);
+    if (!made_->base)
+        made_->base = std::make_unique<Base>(canonical_, vertices_, progress_);
+    return *made_->base;
 }
 
-std::vector<Vec3> Marker::shaped_base(std::span<const double> w, const MarkSetting& setting) const {
-    const TriangleMesh& base = domain_.mesh;
-    const sphere::SparseRows rows =
-        sphere::barycentric_rows(sphere::Icosphere(setting.level), base.positions);
-    const double rms = setting.strength / 100 * diagonal_ / frame_.scale;
-    const double density =
-        static_cast<double>(base.positions.size()) / static_cast<double>(mesh_.positions.size());
+const masking::Budget& Marker::budget() const {
+    const std::lock_guard lock(made_->guard);
+    if (!made_->budget)
+        made_->budget = std::make_unique<masking::Budget>(canonical_);
+    return *made_->budget;
+}
+
+const Marker::Carried& Marker::carried(unsigned level) const {
+    const masking::Budget& seen = budget();
+    const std::lock_guard lock(made_->guard);
+    if (const auto found = made_->carried.find(level); found != made_->carried.end())
+        return found->second;
+    Carried fresh{sphere::barycentric_rows(sphere::Icosphere(level), canonical_.positions),
+                  masking::Carriers(canonical_)};
+    const std::vector<double> trial = key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1);
+    seen.equalize(fresh.carriers, fresh.rows, trial, default_visibility,
+                  first_strength / 100 * diagonal_ / frame_.scale);
+    return made_->carried.emplace(level, std::move(fresh)).first->second;
+}
+
+const maps::BaseDomain& Marker::domain() const {
+    return base().domain;
+}
+
+const masking::Carriers& Marker::carriers(unsigned level) const {
+    return carried(level).carriers;
+}
+
+double Marker::visible(const std::vector<Vec3>& positions) const {
+    std::vector<Vec3> canonical(positions.size());
+    std::ranges::transform(positions, canonical.begin(),
+                           [&](const Vec3& p) { return frame_.to_canonical(p); });
+    return budget().visible(canonical);
+}
+
+namespace {
+
+/// The shaped mark on a base domain, of about `rms` mean radii.
+std::vector<Vec3> shaped_base(const TriangleMesh& base, std::span<const double> w, unsigned level, double rms,
+                              double density) {
+    const sphere::SparseRows rows = sphere::barycentric_rows(sphere::Icosphere(level), base.positions);
     const std::vector<double> moves = shaping::normal_moves(base, rows, w, rms, density);
     const std::vector<Vec3> normals = vertex_normals(base);
     std::vector<Vec3> moved = base.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
         moved[i] += rms * moves[i] * normals[i];
-    // That is the strength on the base; the full mesh's differs by what its details hide.
-    const double factor = setting.strength / 100 * (diagonal_ / frame_.scale) / normal_rms(moved);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-        moved[i] = base.positions[i] + factor * (moved[i] - base.positions[i]);
     return moved;
 }
 
-double Marker::normal_rms(std::span<const Vec3> moved_base) const {
-    return embed::distortion(canonical_, detailed_.reconstruct(moved_base)).normal_rms;
+} // namespace
+
+/// A mark whose size is still open: full meshes in the canonical frame.
+struct Marker::Layout {
+    masking::MarkOfStrength positions; ///< of a strength in % of the diagonal
+    double unit = 0;                   ///< strength of the bumps of gamma 1
+};
+
+Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
+    const Carried& with = carried(level);
+    const double percent_of_diagonal = 100 * frame_.scale / diagonal_;
+    const std::vector<double> moves = with.carriers.moves(with.rows, w);
+    const double rms = with.carriers.rms(moves) * percent_of_diagonal;
+    require_move(rms);
+    return {[this, &with, moves, rms](double strength) {
+                std::vector<Vec3> moved = canonical_.positions;
+                for (std::size_t i = 0; i < moved.size(); ++i)
+                    moved[i] += strength / rms * moves[i] * with.carriers.normals()[i];
+                return moved;
+            },
+            with.carriers.rms(with.carriers.bumps(with.rows, w)) * percent_of_diagonal};
+}
+
+Marker::Layout Marker::bumpy(std::span<const double> w, unsigned level) const {
+    const Base& on = base();
+    const std::vector<Vec3>& base_positions = on.domain.mesh.positions;
+    const sphere::BumpedSphere bumped(sphere::Icosphere(level), {w.begin(), w.end()});
+    const auto marked = [&on, delta = bumped.deltas(base_positions)](double gamma) {
+        return on.detailed.reconstruct(embed::mark_base(on.domain.mesh.positions, delta, gamma));
+    };
+    // The move is linear in gamma: one trial tells the gamma of any strength.
+    constexpr double trial = 1e-3;
+    const double unit = normal_rms(marked(trial)) / trial;
+    require_move(unit);
+    return {[marked, unit](double strength) { return marked(strength / unit); }, unit};
+}
+
+Marker::Layout Marker::shaped(std::span<const double> w, unsigned level) const {
+    const Base& on = base();
+    const double density =
+        static_cast<double>(on.domain.mesh.positions.size()) / static_cast<double>(mesh_.positions.size());
+    Layout layout;
+    layout.unit = bumpy(w, level).unit;
+    layout.positions = [this, &on, density, level, w = std::vector(w.begin(), w.end())](double strength) {
+        const std::vector<Vec3>& still = on.domain.mesh.positions;
+        const double rms = strength / 100 * diagonal_ / frame_.scale;
+        std::vector<Vec3> moved = shaped_base(on.domain.mesh, w, level, rms, density);
+        // That is the strength on the base; the full mesh's differs by what its details hide.
+        const double factor = strength / normal_rms(on.detailed.reconstruct(moved));
+        for (std::size_t i = 0; i < moved.size(); ++i)
+            moved[i] = still[i] + factor * (moved[i] - still[i]);
+        return on.detailed.reconstruct(moved);
+    };
+    return layout;
+}
+
+Marker::Layout Marker::layout(std::span<const double> w, Profile profile, unsigned level) const {
+    switch (profile) {
+    case Profile::masked:
+        return masked(w, level);
+    case Profile::robust:
+        return shaped(w, level);
+    default:
+        return bumpy(w, level);
+    }
+}
+
+double Marker::normal_rms(std::span<const Vec3> moved) const {
+    return 100 * embed::distortion(canonical_, moved).normal_rms * frame_.scale / diagonal_;
 }
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
-    const std::vector<Vec3>& base = domain_.mesh.positions;
-    const std::vector<double> w =
-        payload::mark_sequence(secret, setting.level, setting.rmax, setting.content);
-    const sphere::BumpedSphere bumped(sphere::Icosphere(setting.level), w);
-    const std::vector<double> delta = bumped.deltas(base);
+    return mark(payload::mark_sequence(secret, setting.level, setting.rmax, setting.content), setting);
+}
+
+Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const {
+    if (w.size() != key::sequence_length(setting.level))
+        throw ParameterError(fmt::format("a mark of level {} takes {} numbers, but there are {}",
+                                         setting.level, key::sequence_length(setting.level), w.size()));
     Marked marked;
     marked.level = setting.level;
     marked.rmax = setting.rmax;
     marked.frame = frame_;
     marked.diagonal = diagonal_;
-    marked.base_vertices = base.size();
-    // The move is linear in gamma: one trial tells the gamma of any strength.
-    constexpr double trial = 1e-3;
-    const double unit = diagonal_ / frame_.scale;
-    marked.gamma = setting.gamma
-                       ? *setting.gamma
-                       : gamma_of(setting.strength, normal_rms(bumpy_base(delta, trial)) / trial, unit);
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
-    const std::vector<Vec3> moved = detailed_.reconstruct(
-        marked.profile == Profile::robust ? shaped_base(w, setting) : bumpy_base(delta, marked.gamma));
+    const Layout layout = this->layout(w, marked.profile, setting.level);
+    double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
+    if (setting.visibility && !setting.gamma) {
+        const masking::Fit fit = budget().fit(layout.positions, *setting.visibility, first_strength);
+        if (!(fit.strength > 0))
+            throw GeometryError(
+                fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
+                            "weak; allow more, or repair what lies double in it",
+                            *setting.visibility));
+        strength = fit.strength;
+        marked.msdm2 = fit.msdm2;
+    }
+    require_move(strength);
+    marked.gamma = strength / layout.unit;
+    marked.base_vertices =
+        marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
+    const std::vector<Vec3> moved = layout.positions(strength);
     marked.positions = mesh_.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
         if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
@@ -130,11 +273,25 @@ Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
             const Progress& progress) {
     const unsigned level = level_of(mesh, key, options); // before any work
+    if (!(options.visibility > 0 && options.visibility <= 1))
+        throw ParameterError(fmt::format("the visibility is {}, but MSDM2 lies above 0 and up to 1, for "
+                                         "example 0.1",
+                                         options.visibility));
     const Marker marker(mesh, options.vertices, progress);
+    MarkSetting setting;
+    setting.level = level;
+    setting.rmax = options.rmax.value_or(key.parameters().rmax);
+    setting.profile = options.profile;
+    setting.gamma = options.gamma;
+    setting.content = options.content;
+    if (options.strength)
+        setting.strength = *options.strength;
+    else
+        setting.visibility = options.visibility;
     notify(progress, "marking", 0);
-    Marked marked =
-        marker.mark(key.secret(), {level, options.rmax.value_or(key.parameters().rmax), options.strength,
-                                   options.gamma, options.profile, options.content});
+    Marked marked = marker.mark(key.secret(), setting);
+    if (!marked.msdm2)
+        marked.msdm2 = marker.visible(marked.positions);
     notify(progress, "marking", 1);
     return marked;
 }

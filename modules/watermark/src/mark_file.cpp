@@ -13,14 +13,10 @@ namespace wm3d::watermark {
 
 namespace {
 
-/// Above it a mark of this strength is missed for want of surface, not by what the file makes of it.
-constexpr double tolerated_miss = 0.01;
-
 VerifyReport self_check(const io::Model& model, const io::PatchedFiles& files, const key::Key& key,
                         const MarkOptions& mark, const Progress& progress) {
     VerifyOptions options;
     options.pf = mark.pf;
-    options.vertices = mark.vertices;
     return verify(model.read_back(files).mesh(), key, options, progress);
 }
 
@@ -40,9 +36,37 @@ bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptio
            (!content.copy || tells_copy(check, key, *content.copy, options.pf));
 }
 
-Loss loss_of(const io::Model& model, const key::Key& key, MarkOptions options, const Marked& marked) {
-    options.strength = percent(marked.distortion, marked.diagonal).normal_rms;
-    return forecast(model.mesh(), key, options).predicted_miss > tolerated_miss ? Loss::power : Loss::storage;
+/// Whether the mark would be found on the mesh as it is in memory, before a file rounds it.
+bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+                     const std::vector<Vec3>& positions) {
+    VerifyOptions check;
+    check.pf = options.pf;
+    return verify({positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
+}
+
+/// The least of a few larger visibilities whose mark is found.
+std::optional<double> visibility_that_would_do(const TriangleMesh& mesh, const key::Key& key,
+                                               MarkOptions options) {
+    const double asked = options.visibility;
+    for (double factor : {1.5, 2.5, 4.0}) {
+        options.visibility = factor * asked;
+        if (options.visibility < 1 && found_in_memory(mesh, key, options, mark(mesh, key, options).positions))
+            return options.visibility;
+    }
+    return std::nullopt;
+}
+
+/// What would mend a mark that is not found: tried, and not only supposed.
+std::string remedy(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+                   double log10_p) {
+    constexpr double hopeful = -2; // a P_f above 1 % is no verdict
+    std::string would_do =
+        log10_p < hopeful ? fmt::format("--pf {:.1g}", 1.5 * std::pow(10.0, log10_p)) : std::string();
+    if (!options.strength && !options.gamma)
+        if (const auto visibility = visibility_that_would_do(mesh, key, options))
+            would_do =
+                fmt::format("--visibility {:.2g}{}{}", *visibility, would_do.empty() ? "" : " or ", would_do);
+    return would_do.empty() ? "subdivide the model first, or store more digits" : would_do + " would do";
 }
 
 io::Format format_of(const std::filesystem::path& path, const std::optional<io::Format>& fallback) {
@@ -66,10 +90,19 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     result.ambiguity = ambiguity_of(model.mesh());
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
     result.check = self_check(model, result.files, key, options.mark, progress);
-    if (result.check.verdict != detect::Verdict::present)
-        result.loss = loss_of(model, key, options.mark, result.marked);
-    else if (!is_readable(result.check, key, options.mark))
-        result.loss = Loss::content;
+    const TriangleMesh& mesh = model.mesh();
+    const Marked& marked = result.marked;
+    if (result.check.verdict == detect::Verdict::present) {
+        Sequences sequences(key.secret(), marked.rmax);
+        if (!is_readable(result.check, key, options.mark))
+            result.loss = Loss::content;
+        result.rehearsed = rehearse({marked.positions, mesh.triangles}, marked.frame, sequences, marked.level,
+                                    marked.rmax, result.check.score.hypotheses);
+    } else {
+        result.loss =
+            found_in_memory(mesh, key, options.mark, marked.positions) ? Loss::storage : Loss::power;
+        result.remedy = remedy(mesh, key, options.mark, result.check.score.log10_p);
+    }
     return result;
 }
 
@@ -84,13 +117,10 @@ std::string describe_loss(const MarkedModel& result, double pf) {
         "{}",
         result.check.score.log10_p, std::log10(pf),
         result.loss == Loss::power
-            ? fmt::format("with {} vertices the mesh is too small or too plain for a strength of {:.3g} %: "
-                          "raise --strength, or subdivide the model first",
-                          result.marked.positions.size(),
-                          percent(result.marked.distortion, result.marked.diagonal).normal_rms)
-            : std::string(
-                  "the file's coordinates are too coarse for it, or its shape has no clear axes: raise "
-                  "--strength, or store more digits"));
+            ? fmt::format("with {} vertices the mesh is too small, too plain or too symmetric for a mark of "
+                          "MSDM2 {:.2g}; {}",
+                          result.marked.positions.size(), result.marked.msdm2.value_or(0), result.remedy)
+            : "the file's coordinates are too coarse for it; " + result.remedy);
 }
 
 resync::Receipt make_receipt(const io::Model& model, const MarkedModel& result, const key::Key& key,
@@ -117,7 +147,7 @@ MarkedFile mark_file(const std::filesystem::path& in, const std::filesystem::pat
     const io::Model model = io::read(in, {.format = format});
 
     MarkedModel result = mark_model(model, key, {options.mark, options.normals, out.string()}, progress);
-    MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.ambiguity};
+    MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.rehearsed, result.ambiguity};
     if (report.written) {
         io::FileSet files(writing);
         io::add_files(files, out, result.files);

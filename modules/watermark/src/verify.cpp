@@ -52,7 +52,7 @@ void decide_whitened(VerifyReport& report, const Examination& suspect, const key
         filter = suspect.family()[report.score.best.hypothesis].filter;
     report.expected_sigmas =
         suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
-                                key.parameters().reference_strength, 0, filter);
+                                std::min(key.parameters().reference_strength, usual_strength), 0, filter);
     report.predicted_miss =
         detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);
     report.verdict = detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);
@@ -197,9 +197,9 @@ SearchEffort effort_of(const VerifyOptions& options) {
 
 void search_further(VerifyReport& report, const Suspect& suspect, const Hypotheses& all, const key::Key& key,
                     Sequences& sequences, const VerifyOptions& options, const Progress& progress) {
-    SearchResult found =
-        search_suspect(suspect, all.suspect, sequences, effort_of(options),
-                       key.parameters().reference_strength, std::log10(options.pf), progress);
+    SearchResult found = search_suspect(suspect, all.suspect, sequences, effort_of(options),
+                                        std::min(key.parameters().reference_strength, usual_strength),
+                                        std::log10(options.pf), progress);
     report.search = found.report;
     if (found.hit) {
         report.score = found.hit->score;

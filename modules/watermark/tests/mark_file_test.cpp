@@ -87,7 +87,7 @@ TEST_CASE("nothing is written where the mark would not be found again") {
     options.receipt = shop.receipt;
     const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, options);
     CHECK_FALSE(report.written);
-    CHECK(report.reason.find("too small or too plain") != std::string::npos);
+    CHECK(report.reason.find("too small, too plain") != std::string::npos);
     CHECK(shop.files() == 1);
 }
 

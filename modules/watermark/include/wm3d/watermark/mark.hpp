@@ -2,27 +2,28 @@
 /// \file  From a mesh and a key to the marked positions (section 2.2 of the paper).
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
+#include <string_view>
 
 #include <wm3d/embed/embed.hpp>
 #include <wm3d/maps/base_domain.hpp>
+#include <wm3d/masking/budget.hpp>
+#include <wm3d/masking/carriers.hpp>
 #include <wm3d/payload/sequence.hpp>
 #include <wm3d/watermark/examination.hpp>
 
 namespace wm3d::watermark {
 
-/// How the strength is laid out.
-enum class Profile {
-    robust, ///< along the vertex normals, shaped for what the detector sees after attacks
-    paper,  ///< the bumps themselves along the radius, eq. (3)
-};
-
 struct MarkOptions {
-    Profile profile = Profile::robust;
+    Profile profile = Profile::masked;
+    /// One-sided MSDM2 that the mark keeps to, in (0, 1], where no strength or gamma is given.
+    double visibility = default_visibility;
     /// Area-weighted RMS of the move along the surface normal, % of the bounding box's diagonal.
-    double strength = default_strength;
-    std::optional<double> gamma;             ///< of eq. (3), instead of a strength; means the paper's profile
-    std::size_t vertices = default_vertices; ///< of the base domain
+    std::optional<double> strength;
+    std::optional<double> gamma;             ///< of eq. (3), instead; means the paper's profile
+    std::size_t vertices = default_vertices; ///< of the base domain, where the profile has one
     std::optional<unsigned> level;           ///< of the watermarking sphere; must be one of the key's
     std::optional<double> rmax;              ///< height of the bumps; the key's own if not given
     double pf = default_pf;                  ///< at which the mark has to be found again
@@ -32,69 +33,87 @@ struct MarkOptions {
 struct Marked {
     std::vector<Vec3> positions; ///< #V, in the coordinates of the mesh
     Frame frame;
-    std::size_t base_vertices = 0;
-    Profile profile = Profile::robust;
+    std::size_t base_vertices = 0; ///< that carry the mark: of the base domain, or all of them
+    Profile profile = Profile::masked;
     unsigned level = 0;
     double rmax = 0;
     double gamma = 0;             ///< of the bumps of the same strength
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
+    std::optional<double> msdm2;  ///< one-sided, of the marked mesh against the mesh, where it was measured
 };
 
-/// What a mark of a secret depends on besides the mesh.
+/// What a mark of a sequence depends on besides the mesh. gamma goes before visibility, visibility before
+/// strength.
 struct MarkSetting {
     unsigned level = 5;
     double rmax = 0.1;
-    double strength = default_strength; ///< as in MarkOptions
+    double strength = default_strength; ///< % of the diagonal, as in MarkOptions
     std::optional<double> gamma = std::nullopt;
     Profile profile = Profile::robust;
     payload::Content content = {};
+    std::optional<double> visibility = std::nullopt; ///< MSDM2 to keep to, as in MarkOptions
 };
 
-/// A mesh made ready for marks: frame, base domain and details, which depend on no key. The mesh has to
-/// outlive it.
+/// A mesh made ready for marks: whatever depends on no key is made once, when it is first needed. The mesh
+/// has to outlive it.
 class Marker {
 public:
     /// \throw GeometryError  if the mesh has no area
     Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
+    ~Marker();
     Marker(const Marker&) = delete;
     Marker& operator=(const Marker&) = delete;
 
-    const maps::BaseDomain& domain() const { return domain_; } ///< in the canonical frame
+    /// The base domain of the profiles robust and paper, in the canonical frame.
+    const maps::BaseDomain& domain() const;
 
-    /// Moves of the base vertices and reconstruction. May be called from several threads.
+    /// The carriers of the profile masked, whose moves are linear in any sequence of the level.
+    const masking::Carriers& carriers(unsigned level) const;
+
+    /// May be called from several threads.
     /// \throw GeometryError  if no radial move shows on the mesh
     Marked mark(const key::Secret& secret, const MarkSetting& setting) const;
 
+    /// The mark of a sequence of the level's length, whatever it was made of; heights above rmax are as good
+    /// as others, since strength and visibility set the scale.
+    /// \throw ParameterError  if w has another length
+    /// \throw GeometryError   if no radial move shows on the mesh
+    Marked mark(std::span<const double> w, const MarkSetting& setting) const;
+
+    /// One-sided MSDM2 of moved vertices, #V in the coordinates of the mesh.
+    double visible(const std::vector<Vec3>& positions) const;
+
 private:
-    std::vector<Vec3> bumpy_base(std::span<const double> delta, double gamma) const;
-    std::vector<Vec3> shaped_base(std::span<const double> w, const MarkSetting& setting) const;
-    double normal_rms(std::span<const Vec3> moved_base) const;
+    struct Base;
+    struct Carried;
+    struct Layout;
+    struct Made;
+
+    const Base& base() const;
+    const masking::Budget& budget() const;
+    const Carried& carried(unsigned level) const;
+    Layout masked(std::span<const double> w, unsigned level) const;
+    Layout shaped(std::span<const double> w, unsigned level) const;
+    Layout bumpy(std::span<const double> w, unsigned level) const;
+    Layout layout(std::span<const double> w, Profile profile, unsigned level) const;
+    double normal_rms(std::span<const Vec3> moved) const; ///< of the full canonical mesh, % of the diagonal
 
     const TriangleMesh& mesh_;
+    std::size_t vertices_;
+    Progress progress_;
     Frame frame_;
     double diagonal_;
     TriangleMesh canonical_;
-    maps::BaseDomain domain_;
-    embed::DetailedMesh detailed_; ///< refers to `domain_`
+    std::unique_ptr<Made> made_; ///< what was needed so far
 };
 
-/// Marks a mesh: base domain by MAPS, eq. (3) or a shaped mark on its vertices, reconstruction.
+/// Marks a mesh: masked moves of all vertices or, on a base domain by MAPS, eq. (3) or a shaped mark and
+/// reconstruction. MSDM2 is measured in any case.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options = {},
             const Progress& progress = {});
-
-/// What can be said before a file is written.
-struct Forecast {
-    double expected_sigmas = 0; ///< score of the unattacked mark in the best filter
-    double predicted_miss = 1;  ///< at `pf`
-};
-
-/// What verify would find on the marked mesh, told from the unmarked one.
-/// \throw GeometryError  if the mesh has no area
-Forecast forecast(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
-                  const Progress& progress = {});
 
 /// Distortion in % of the bounding box's diagonal.
 embed::Distortion percent(const embed::Distortion& distortion, double diagonal);

@@ -7,12 +7,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <wm3d/io/file.hpp>
 #include <wm3d/io/model.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/receipt.hpp>
 #include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/rehearsal.hpp>
 #include <wm3d/watermark/verify.hpp>
 
 namespace wm3d::watermark {
@@ -20,8 +22,8 @@ namespace wm3d::watermark {
 /// Why a mark that was laid down isn't found again.
 enum class Loss {
     none,    ///< it is found
-    power,   ///< the mesh is too small or too plain for the strength
-    storage, ///< the file's coordinates are too coarse for it, or the shape has no clear axes
+    power,   ///< the mesh is too small or too plain for it, or its shape has no clear axes
+    storage, ///< the file's coordinates are too coarse for it
     content, ///< it is found, but what it says besides can't be read
 };
 
@@ -36,7 +38,9 @@ struct MarkedModel {
     Marked marked;
     io::PatchedFiles files;
     VerifyReport check;
+    std::vector<Rehearsed> rehearsed; ///< what it will bear; empty where it isn't found
     Loss loss = Loss::none;
+    std::string remedy{}; ///< for a loss: what was tried and would do, such as "--visibility 0.2 would do"
     resync::Ambiguity ambiguity =
         resync::Ambiguity::none; ///< of the shape: a rotated copy may need a receipt
     double coordinate_step = 0;  ///< as io::Model's; a move well below it is lost
@@ -73,6 +77,7 @@ struct MarkedFile {
     std::string reason{}; ///< why nothing was written, in a sentence
     Marked marked;
     VerifyReport check;
+    std::vector<Rehearsed> rehearsed{};                    ///< as MarkedModel's
     resync::Ambiguity ambiguity = resync::Ambiguity::none; ///< as MarkedModel's
 };
 

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/watermark/rehearsal.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/detect/evidence.hpp>
+#include <wm3d/detect/tail.hpp>
+#include <wm3d/key/stream.hpp>
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/umbrella.hpp>
+#include <wm3d/simplify/simplify.hpp>
+#include <wm3d/sphere/sparse_rows.hpp>
+
+namespace wm3d::watermark {
+
+namespace {
+
+/// Fewer vertices than verify looks at: a rehearsal is to be quick, and so errs on the safe side.
+constexpr std::size_t rehearsed_vertices = 20'000;
+
+TriangleMesh with_noise(TriangleMesh mesh, double percent) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& p : mesh.positions)
+        centre += p / static_cast<double>(mesh.positions.size());
+    double distance = 0;
+    for (const Vec3& p : mesh.positions)
+        distance += (p - centre).norm() / static_cast<double>(mesh.positions.size());
+    constexpr std::uint64_t family = 0x6e6f697365;
+    std::vector<double> numbers(3 * mesh.positions.size());
+    key::Stream(key::null_secret(family, 0), key::Purpose::trial, 0)
+        .fill_symmetric(numbers, percent / 100 * distance);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        mesh.positions[i] += Vec3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+    return mesh;
+}
+
+TriangleMesh rounded(TriangleMesh mesh, int bits) {
+    const Box box = surface_box(mesh);
+    const Vec3 step = ((box.max - box.min) / std::ldexp(1.0, bits)).cwiseMax(1e-300);
+    for (Vec3& p : mesh.positions)
+        p = box.min + (p - box.min).cwiseQuotient(step).array().round().matrix().cwiseProduct(step);
+    return mesh;
+}
+
+/// As many steps as spread over the base what `steps` spread over the full mesh.
+TriangleMesh smoothed(TriangleMesh mesh, int steps, double density) {
+    constexpr double weight = 0.1;
+    const int on_base = std::max(1, static_cast<int>(std::lround(steps * density)));
+    mesh.positions = Umbrella(mesh).smooth(std::move(mesh.positions), on_base, weight);
+    return mesh;
+}
+
+TriangleMesh coarsened(const TriangleMesh& mesh, std::size_t vertices) {
+    simplify::Options options;
+    options.target_vertices = vertices;
+    return simplify::simplify(mesh, options).mesh;
+}
+
+double best_log10_p(const TriangleMesh& mesh, const sphere::Icosphere& sphere, std::span<const double> w,
+                    double rmax, std::size_t hypotheses) {
+    const detect::Evidence evidence(mesh);
+    const sphere::SparseRows rows = sphere::barycentric_rows(sphere, mesh.positions);
+    double best = 0;
+    for (std::size_t f = 0; f < evidence.filters(); ++f) {
+        const detect::LinearStatistic t = evidence.statistic(f, rows, rmax);
+        if (t.sigma() > 0)
+            best = std::min(best, detect::exact_tail(t, t.value(w)).log10_p);
+    }
+    return std::min(0.0, best + std::log10(static_cast<double>(hypotheses)));
+}
+
+} // namespace
+
+std::vector<Rehearsed> rehearse(const TriangleMesh& marked, const Frame& frame, Sequences& sequences,
+                                unsigned level, double rmax, std::size_t hypotheses) {
+    const TriangleMesh base = coarsened(to_frame(marked, frame), rehearsed_vertices);
+    const double density =
+        static_cast<double>(base.positions.size()) / static_cast<double>(marked.positions.size());
+    const std::size_t quarter = std::min(base.positions.size(), marked.positions.size() / 4);
+    const std::vector<std::function<TriangleMesh()>> attacks{
+        [&] { return with_noise(base, 0.3); }, [&] { return smoothed(base, 10, density); },
+        [&] { return rounded(base, 8); }, [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }};
+    std::vector<Rehearsed> results{
+        {"noise 0.3 %", 0}, {"smoothing 10", 0}, {"8 bits", 0}, {"1/4 of the vertices", 0}};
+    const sphere::Icosphere sphere(level);
+    const std::span<const double> w = sequences(level);
+    parallel_tasks(attacks.size(), [&](std::size_t k) {
+        results[k].log10_p = best_log10_p(attacks[k](), sphere, w, rmax, hypotheses);
+    });
+    return results;
+}
+
+} // namespace wm3d::watermark
