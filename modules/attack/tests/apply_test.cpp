@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 #include <wm3d/attack/order.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 

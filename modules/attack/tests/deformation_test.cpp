@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 #include <wm3d/attack/perturbation.hpp>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "meshes.hpp"

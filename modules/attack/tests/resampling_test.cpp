@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include <doctest/doctest.h>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "../src/fan.hpp"

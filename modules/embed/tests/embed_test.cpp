@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
 

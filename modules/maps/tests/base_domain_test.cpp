@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <doctest/doctest.h>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "support.hpp"

@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include <doctest/doctest.h>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh.hpp>
 
 using namespace wm3d;

@@ -6,6 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <doctest/doctest.h>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh.hpp>
 
 using namespace wm3d;

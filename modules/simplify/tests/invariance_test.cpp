@@ -4,6 +4,7 @@
 #include <set>
 
 #include <doctest/doctest.h>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "support.hpp"

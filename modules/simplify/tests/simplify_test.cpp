@@ -5,6 +5,7 @@
 #include <string>
 
 #include <doctest/doctest.h>
+#include <wm3d/core/error.hpp>
 #include <wm3d/shapes.hpp>
 
 #include "support.hpp"
