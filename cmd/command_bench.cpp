@@ -38,23 +38,41 @@ using nlohmann::ordered_json;
 struct BenchArguments {
     std::vector<std::string> models;
     std::string out;
-    std::string strengths, mrms, attacks;
+    std::string strengths, mrms, visibility, attacks;
     std::string pf = "1e-9";
+    std::optional<watermark::Profile> profile; ///< if not given, that which suits the sizes
     study::BenchSetting setting;
 };
 
 // What is asked for
 
-std::vector<study::MarkSize> sizes_of(const BenchArguments& arguments) {
+/// The option that gives the sizes, without its hyphens, the unit it counts in, and its list.
+struct SizeOption {
+    std::string_view name;
+    study::MarkSize::Unit unit;
+    const std::string& list;
+};
+
+SizeOption size_option(const BenchArguments& arguments) {
     using Unit = study::MarkSize::Unit;
-    const bool limited = !arguments.mrms.empty();
-    const std::string text = limited ? arguments.mrms : arguments.strengths;
+    if (!arguments.mrms.empty())
+        return {"mrms", Unit::mrms, arguments.mrms};
+    if (!arguments.visibility.empty())
+        return {"visibility", Unit::visibility, arguments.visibility};
+    return {"strengths", Unit::strength, arguments.strengths};
+}
+
+std::vector<study::MarkSize> sizes_of(const BenchArguments& arguments) {
+    const SizeOption option = size_option(arguments);
     std::vector<study::MarkSize> sizes;
-    for (double value : parse_numbers(text, limited ? "--mrms" : "--strengths", positive_numbers("0.02"))) {
-        const study::MarkSize size{limited ? Unit::mrms : Unit::strength, value};
-        if (std::ranges::find(sizes, size) != sizes.end())
+    for (double value :
+         parse_numbers(option.list, fmt::format("--{}", option.name), positive_numbers("0.02"))) {
+        const study::MarkSize size{option.unit, value};
+        if (option.unit == study::MarkSize::Unit::visibility && value > 1)
             throw ParameterError(
-                fmt::format("--{}: {} is named twice; name it once", limited ? "mrms" : "strengths", value));
+                fmt::format("--visibility: {} is no MSDM2, which lies above 0 and up to 1", value));
+        if (std::ranges::find(sizes, size) != sizes.end())
+            throw ParameterError(fmt::format("--{}: {} is named twice; name it once", option.name, value));
         sizes.push_back(size);
     }
     return sizes;
@@ -245,17 +263,16 @@ std::size_t items_left(const std::vector<fs::path>& models, const study::BenchSe
 }
 
 std::string command_line(const BenchArguments& arguments) {
-    const bool limited = !arguments.mrms.empty();
-    std::string text =
-        fmt::format("wm3d bench --models {} --out {} --{} {} --pf {} --keys {}",
-                    fmt::join(arguments.models, " "), arguments.out, limited ? "mrms" : "strengths",
-                    limited ? arguments.mrms : arguments.strengths, arguments.pf, arguments.setting.keys);
+    const SizeOption sizes = size_option(arguments);
+    std::string text = fmt::format("wm3d bench --models {} --out {} --{} {} --pf {} --keys {}",
+                                   fmt::join(arguments.models, " "), arguments.out, sizes.name, sizes.list,
+                                   arguments.pf, arguments.setting.keys);
     if (!arguments.attacks.empty())
         text += " --attacks " + arguments.attacks;
     if (arguments.setting.vertices != watermark::default_vertices)
         text += fmt::format(" --vertices {}", arguments.setting.vertices);
-    if (arguments.setting.profile != study::BenchSetting{}.profile)
-        text += " --profile " + name_of(arguments.setting.profile);
+    if (arguments.profile)
+        text += " --profile " + name_of(*arguments.profile);
     if (arguments.setting.assisted)
         text += " --reference";
     return text +
@@ -316,6 +333,8 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const study:
 }
 
 int run(BenchArguments arguments, Output& output) {
+    arguments.setting.profile = arguments.profile.value_or(
+        arguments.visibility.empty() ? watermark::Profile::robust : watermark::Profile::masked);
     study::BenchSetting& setting = arguments.setting;
     setting.sizes = sizes_of(arguments);
     setting.attacks = attacks_of(arguments);
@@ -350,10 +369,14 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
     auto* strengths = app.add_option("--strengths", arguments.strengths,
                                      "Strengths of the marks, as `mark --strength` [0.019,0.075]");
     strengths->option_text("LIST");
-    app.add_option("--mrms", arguments.mrms,
-                   "Instead, the largest MRMS that marks may reach, % of the diagonal")
+    auto* mrms = app.add_option("--mrms", arguments.mrms,
+                                "Instead, the largest MRMS that marks may reach, % of the diagonal");
+    mrms->option_text("LIST")->excludes(strengths);
+    app.add_option("--visibility", arguments.visibility,
+                   "Instead, the largest one-sided MSDM2 that marks may reach, as `mark --visibility`")
         ->option_text("LIST")
-        ->excludes(strengths);
+        ->excludes(strengths)
+        ->excludes(mrms);
     app.add_option("--keys", arguments.setting.keys, "Random keys, each marking every model [5]")
         ->option_text("N")
         ->check(whole_number_between(1, 1'000'000));
@@ -371,8 +394,9 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
                    "Vertices of base domains, as of `mark` and `verify` [20000]")
         ->option_text("N")
         ->check(number_between(4, 1e8));
-    app.add_option("--profile", arguments.setting.profile,
-                   "How marks are laid out, as of `mark`: robust or paper [robust]")
+    app.add_option(
+           "--profile", arguments.profile,
+           "How marks are laid out, as of `mark`: masked, robust or paper [robust; with --visibility masked]")
         ->option_text("NAME")
         ->transform(CLI::CheckedTransformer(
             std::map<std::string, watermark::Profile>{{"masked", watermark::Profile::masked},

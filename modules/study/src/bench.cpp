@@ -36,20 +36,36 @@ public:
           level_(watermark::default_level(setting.parameters, mesh.positions.size(), setting.profile)),
           marker_(mesh, setting.vertices, progress) {}
 
-    TriangleMesh marked(const MarkName& name, double strength, BenchMark& figures) const {
-        const watermark::Marked marked =
-            marker_.mark(key::null_secret(setting_.seed, name.key),
-                         {level_, setting_.parameters.rmax, strength, std::nullopt, setting_.profile});
-        figures.strength = strength;
+    TriangleMesh marked(const MarkName& name, watermark::MarkSetting mark, BenchMark& figures) const {
+        mark.level = level_;
+        mark.rmax = setting_.parameters.rmax;
+        mark.profile = setting_.profile;
+        const watermark::Marked marked = marker_.mark(key::null_secret(setting_.seed, name.key), mark);
+        figures.strength = marked.strength;
         figures.gamma = marked.gamma;
         figures.normal_rms = watermark::percent(marked.distortion, marked.diagonal).normal_rms;
         return {marked.positions, mesh_.triangles};
     }
 
+    TriangleMesh marked(const MarkName& name, double strength, BenchMark& figures) const {
+        watermark::MarkSetting mark;
+        mark.strength = strength;
+        return marked(name, mark, figures);
+    }
+
+    /// As strong as its visibility allows.
+    TriangleMesh budgeted_mark(const MarkName& name, BenchMark& figures) const {
+        watermark::MarkSetting mark;
+        mark.visibility = name.size.value;
+        return marked(name, mark, figures);
+    }
+
     /// A new mark with its figures.
     TriangleMesh new_mark(const MarkName& name, BenchMark& figures) const {
-        TriangleMesh result = name.size.unit == MarkSize::Unit::mrms ? limited_mark(name, figures)
-                                                                     : marked(name, name.size.value, figures);
+        using Unit = MarkSize::Unit;
+        TriangleMesh result = name.size.unit == Unit::mrms         ? limited_mark(name, figures)
+                              : name.size.unit == Unit::visibility ? budgeted_mark(name, figures)
+                                                                   : marked(name, name.size.value, figures);
         const metrics::Report report = metrics::compare(mesh_, result);
         figures.mrms = report.percent(report.mrms);
         figures.msdm2 = report.msdm2.value_or(0);

@@ -152,6 +152,8 @@ BenchTable bench_table(const BenchResults& results, const MarkSize& size, double
 }
 
 std::string size_text(const MarkSize& size) {
+    if (size.unit == MarkSize::Unit::visibility)
+        return fmt::format("MSDM2 up to {}", size.value);
     return fmt::format("{} {} %", size.unit == MarkSize::Unit::mrms ? "MRMS up to" : "strength", size.value);
 }
 

@@ -43,18 +43,30 @@ BenchModel model_of(const ordered_json& json) {
     return model;
 }
 
+const char* field_of(MarkSize::Unit unit) {
+    switch (unit) {
+    case MarkSize::Unit::mrms:
+        return "mrms_limit";
+    case MarkSize::Unit::visibility:
+        return "visibility_limit";
+    default:
+        return "strength_asked";
+    }
+}
+
 ordered_json to_json(const char* kind, const MarkName& name) {
     return {{"kind", kind},
             {"model", name.model},
-            {name.size.unit == MarkSize::Unit::mrms ? "mrms_limit" : "strength_asked", name.size.value},
+            {field_of(name.size.unit), name.size.value},
             {"key", name.key}};
 }
 
 MarkName mark_name_of(const ordered_json& json) {
-    const bool limited = json.contains("mrms_limit");
+    const auto unit = json.contains("mrms_limit")         ? MarkSize::Unit::mrms
+                      : json.contains("visibility_limit") ? MarkSize::Unit::visibility
+                                                          : MarkSize::Unit::strength;
     return {json.at("model").get<std::string>(),
-            {limited ? MarkSize::Unit::mrms : MarkSize::Unit::strength,
-             json.at(limited ? "mrms_limit" : "strength_asked").get<double>()},
+            {unit, json.at(field_of(unit)).get<double>()},
             json.at("key").get<std::size_t>()};
 }
 
@@ -150,8 +162,19 @@ std::string first_difference(const ordered_json& there, const ordered_json& here
 
 } // namespace
 
+std::string_view name(MarkSize::Unit unit) {
+    switch (unit) {
+    case MarkSize::Unit::mrms:
+        return "mrms";
+    case MarkSize::Unit::visibility:
+        return "visibility";
+    default:
+        return "strength";
+    }
+}
+
 std::string to_string(const MarkSize& size) {
-    return fmt::format("{} {}", size.unit == MarkSize::Unit::mrms ? "mrms" : "strength", size.value);
+    return fmt::format("{} {}", name(size.unit), size.value);
 }
 
 BenchLog::BenchLog(const std::string& path, const ordered_json& settings)

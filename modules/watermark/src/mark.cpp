@@ -258,6 +258,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
         marked.msdm2 = fit.msdm2;
     }
     require_move(strength);
+    marked.strength = strength;
     marked.gamma = strength / layout.unit;
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();

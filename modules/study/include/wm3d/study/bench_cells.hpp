@@ -60,7 +60,7 @@ struct WrongKeys {
 
 BenchTable bench_table(const BenchResults& results, const MarkSize& size, double log10_target);
 
-/// "MRMS up to 0.02 %" or "strength 0.019 %".
+/// "MRMS up to 0.02 %", "MSDM2 up to 0.1" or "strength 0.019 %".
 std::string size_text(const MarkSize& size);
 
 /// Names of the models for headings: without the extension where that leaves them different.

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wm3d::study {
@@ -14,14 +15,18 @@ namespace wm3d::study {
 /// How large a mark is made.
 struct MarkSize {
     enum class Unit {
-        strength, ///< area-weighted RMS move along the normals, % of the box's diagonal
-        mrms,     ///< largest MRMS between the mesh and the marked mesh, % of the box's diagonal
+        strength,   ///< area-weighted RMS move along the normals, % of the box's diagonal
+        mrms,       ///< largest MRMS between the mesh and the marked mesh, % of the box's diagonal
+        visibility, ///< largest one-sided MSDM2 of the marked mesh against the mesh
     };
     Unit unit = Unit::strength;
     double value = 0;
 
     auto operator<=>(const MarkSize&) const = default;
 };
+
+/// "strength", "mrms" or "visibility".
+std::string_view name(MarkSize::Unit unit);
 
 /// "strength 0.019" or "mrms 0.02".
 std::string to_string(const MarkSize& size);

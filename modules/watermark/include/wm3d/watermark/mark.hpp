@@ -37,6 +37,7 @@ struct Marked {
     Profile profile = Profile::masked;
     unsigned level = 0;
     double rmax = 0;
+    double strength = 0;          ///< asked for or found, % of the diagonal
     double gamma = 0;             ///< of the bumps of the same strength
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
