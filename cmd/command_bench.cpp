@@ -341,7 +341,8 @@ int run(BenchArguments arguments, Output& output) {
     const std::vector<double> targets = log10_targets_of(arguments, setting.sizes.size());
     if (setting.assisted && !resync::has_registration())
         throw ParameterError("--reference: this build was made without Ceres and can't align; build it with "
-                             "-DWM3D_RESYNC=ON");
+                             "-DWM3D_RESYNC=ON",
+                             ErrorCode::missing_feature);
     const std::vector<fs::path> models = models_of(arguments);
     make_folder(arguments.out);
     study::BenchLog log((fs::path(arguments.out) / "items.jsonl").string(), settings_of(setting));

@@ -214,7 +214,8 @@ int run(const MarkArguments& arguments, Output& output) {
     warn_if_too_coarse(result, output);
     if (result.loss != watermark::Loss::none) {
         output.fail(fmt::format("{}: {}", arguments.files.input,
-                                watermark::describe_loss(result, arguments.options.pf)));
+                                watermark::describe_loss(result, arguments.options.pf)),
+                    ErrorCode::self_check);
         return exit_check_failed;
     }
     const std::optional<ledger::Entry> entry =

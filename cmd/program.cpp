@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "program.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -25,10 +28,20 @@ namespace wm3d::cmd {
 
 namespace {
 
-int complain(std::string_view who, std::string_view sentence) {
-    write_error(who, sentence);
-    return exit_error;
-}
+/// Whoever is told of an error.
+struct Caller {
+    std::string who;   ///< the command, as it was called
+    bool json = false; ///< --json is among its arguments, even where they can't be understood
+
+    Caller(std::string name, std::span<char* const> arguments)
+        : who(std::move(name)),
+          json(std::ranges::find(arguments, std::string_view("--json")) != arguments.end()) {}
+
+    int complain(std::string_view sentence, ErrorCode code) const {
+        write_error(who, sentence, code, json);
+        return exit_error;
+    }
+};
 
 std::string overview() {
     std::string text =
@@ -61,24 +74,28 @@ int run_command(const Command& command, std::span<char* const> arguments) {
         write_all(STDOUT_FILENO, help_text(app));
         return exit_done;
     } catch (const CLI::ParseError& error) {
-        return complain(name, usage_complaint(app, error));
+        return Caller(name, arguments).complain(usage_complaint(app, error), ErrorCode::usage);
     }
     const ThreadLimit limit(options.threads);
     Output output(std::string(command.name), options);
     return action(output);
 }
 
-int unknown_command(std::string_view name) {
+int unknown_command(std::string_view name, std::span<char* const> arguments) {
+    const Caller caller("wm3d", arguments);
+    const auto complain = [&](std::string_view sentence) {
+        return caller.complain(sentence, ErrorCode::usage);
+    };
     if (name.starts_with('-'))
-        return complain("wm3d", fmt::format("'{}' is not an option; see 'wm3d --help'.", name));
+        return complain(fmt::format("'{}' is not an option; see 'wm3d --help'.", name));
     std::vector<std::string_view> names;
     for (const Command& command : commands())
         names.push_back(command.name);
     if (const auto near = nearest_name(name, names))
-        return complain("wm3d", fmt::format("'{}' is not a command; did you mean '{}'?", name, *near));
-    return complain("wm3d", fmt::format("'{}' is neither a command nor an executable 'wm3d-{}' on PATH; "
-                                        "see 'wm3d --help'.",
-                                        name, name));
+        return complain(fmt::format("'{}' is not a command; did you mean '{}'?", name, *near));
+    return complain(fmt::format("'{}' is neither a command nor an executable 'wm3d-{}' on PATH; "
+                                "see 'wm3d --help'.",
+                                name, name));
 }
 
 int dispatch(std::span<char* const> arguments) {
@@ -107,26 +124,27 @@ int dispatch(std::span<char* const> arguments) {
     const char* path = std::getenv("PATH");
     if (const auto executable = find_external(name, path != nullptr ? path : ""))
         run_external(*executable, rest);
-    return unknown_command(name);
+    return unknown_command(name, rest);
 }
 
 } // namespace
 
 int run_program(std::span<char* const> arguments) {
     prepare_standard_streams();
-    const std::string who = arguments.size() > 1 && find_command(arguments[1]) != nullptr
-                                ? fmt::format("wm3d {}", arguments[1])
-                                : std::string("wm3d");
+    const bool known = arguments.size() > 1 && find_command(arguments[1]) != nullptr;
+    const Caller caller(known ? fmt::format("wm3d {}", arguments[1]) : std::string("wm3d"), arguments);
     try {
         return dispatch(arguments);
     } catch (const ClosedPipe&) {
         return exit_error;
     } catch (const Error& error) {
-        return complain(who, error.what());
+        return caller.complain(error.what(), error.code());
     } catch (const std::bad_alloc&) {
-        return complain(who, "there is not enough memory for this input; try a smaller mesh.");
+        return caller.complain("there is not enough memory for this input; try a smaller mesh.",
+                               ErrorCode::system);
     } catch (const std::exception& error) {
-        return complain(who, fmt::format("internal error, please report it: {}", error.what()));
+        return caller.complain(fmt::format("internal error, please report it: {}", error.what()),
+                               ErrorCode::internal);
     }
 }
 

@@ -44,10 +44,21 @@ std::string coloured(std::string_view text, Tone tone, int descriptor) {
     return fmt::format("{}{}\033[0m", colour_of(tone), text);
 }
 
+/// A file name in a sentence may be no UTF-8, which JSON has to be.
+std::string text_of(const nlohmann::ordered_json& object) {
+    return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string error_object(std::string_view sentence, ErrorCode code) {
+    return text_of({{"schema", "wm3d.error/1"}, {"error", {{"code", name(code)}, {"message", sentence}}}});
+}
+
 } // namespace
 
-void write_error(std::string_view who, std::string_view sentence) {
+void write_error(std::string_view who, std::string_view sentence, ErrorCode code, bool json) {
     write_message(fmt::format("{}: {} {}\n", who, coloured("error:", Tone::bad, STDERR_FILENO), sentence));
+    if (json)
+        write_all(STDOUT_FILENO, error_object(sentence, code));
 }
 
 Output::Output(std::string command, const OutputOptions& options)
@@ -71,6 +82,12 @@ void Output::fail(std::string_view sentence) {
     tell(fmt::format("{} {}", coloured("failed:", Tone::bad, STDERR_FILENO), sentence));
 }
 
+void Output::fail(std::string_view sentence, ErrorCode code) {
+    fail(sentence);
+    if (options_.json)
+        write_bytes(error_object(sentence, code));
+}
+
 void Output::tell(std::string_view line) {
     line_.clear();
     write_message(fmt::format("{}\n", line));
@@ -87,7 +104,7 @@ void Output::print_json(const nlohmann::ordered_json& result, int version) {
     nlohmann::ordered_json object;
     object["schema"] = fmt::format("wm3d.{}/{}", command_, version);
     object.update(result);
-    write_bytes(object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    write_bytes(text_of(object));
 }
 
 void Output::write_bytes(std::string_view bytes) {

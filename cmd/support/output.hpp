@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/core/progress.hpp>
 
 #include "support/progress_line.hpp"
@@ -45,6 +46,9 @@ public:
     /// As `warn`, for what makes the command fail without being an error of its input: "failed: ...".
     void fail(std::string_view sentence);
 
+    /// The same, and with --json the error object: for commands that have no other object to print then.
+    void fail(std::string_view sentence, ErrorCode code);
+
     /// Text of the result, on standard output. With --json nothing: the object says it all.
     void print(std::string_view text);
 
@@ -69,7 +73,7 @@ private:
     ProgressLine line_;
 };
 
-/// "WHO: error: sentence" on standard error.
-void write_error(std::string_view who, std::string_view sentence);
+/// "WHO: error: sentence" on standard error, and with `json` the error object on standard output.
+void write_error(std::string_view who, std::string_view sentence, ErrorCode code, bool json);
 
 } // namespace wm3d::cmd

@@ -9,7 +9,8 @@ bool has_voxels() {
 }
 
 TriangleMesh extract_voxels(const TriangleMesh&, int) {
-    throw ParameterError("this build has no attack voxels: install OpenVDB and build wm3d again");
+    throw ParameterError("this build has no attack voxels: install OpenVDB and build wm3d again",
+                         ErrorCode::missing_feature);
 }
 
 } // namespace wm3d::attack

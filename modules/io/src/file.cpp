@@ -20,7 +20,8 @@ namespace {
 
 [[noreturn]] void fail_reading(const std::filesystem::path& path, int error) {
     throw InputError(
-        fmt::format("{}: the file can't be read: {}", path.string(), std::generic_category().message(error)));
+        fmt::format("{}: the file can't be read: {}", path.string(), std::generic_category().message(error)),
+        ErrorCode::unreadable_input);
 }
 
 std::string read_all(int fd, std::size_t expected, const std::filesystem::path& path) {
@@ -52,7 +53,8 @@ std::string read_file(const std::filesystem::path& path) {
     if (::fstat(fd.get(), &status) != 0)
         fail_reading(path, errno);
     if (S_ISDIR(status.st_mode))
-        throw InputError(fmt::format("{}: this is a folder; name a mesh file", path.string()));
+        throw InputError(fmt::format("{}: this is a folder; name a mesh file", path.string()),
+                         ErrorCode::unreadable_input);
     return read_all(fd.get(), static_cast<std::size_t>(status.st_size) + 1, path); // one more to see the end
 }
 

@@ -27,7 +27,8 @@ std::optional<unsigned> check_existing(const std::filesystem::path& path, const 
     struct stat status {};
     if (!options.overwrite && ::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode) &&
         ::stat(path.c_str(), &status) != 0) // it leads nowhere, but it is there
-        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()));
+        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()),
+                          ErrorCode::output_exists);
     if (::stat(path.c_str(), &status) != 0)
         return std::nullopt;
     if (S_ISDIR(status.st_mode))
@@ -36,7 +37,8 @@ std::optional<unsigned> check_existing(const std::filesystem::path& path, const 
         throw OutputError(fmt::format(
             "{}: this is no regular file; write to '-' and let the shell redirect it", path.string()));
     if (!options.overwrite)
-        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()));
+        throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()),
+                          ErrorCode::output_exists);
     return status.st_mode & 0777;
 }
 

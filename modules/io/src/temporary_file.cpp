@@ -23,7 +23,8 @@ namespace {
 }
 
 [[noreturn]] void fail_existing(const std::filesystem::path& path) {
-    throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()));
+    throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()),
+                      ErrorCode::output_exists);
 }
 
 bool write_all(int fd, std::string_view bytes) {

@@ -46,7 +46,8 @@ struct WipedText {
 };
 
 [[noreturn]] void fail_to_read(const std::filesystem::path& path) {
-    throw InputError(fmt::format("{}: the key file can't be read: {}", path.string(), std::strerror(errno)));
+    throw InputError(fmt::format("{}: the key file can't be read: {}", path.string(), std::strerror(errno)),
+                     ErrorCode::unreadable_input);
 }
 
 bool write_all(const Descriptor& file, std::string_view text) {
@@ -75,7 +76,8 @@ Key Key::load(const std::filesystem::path& path) {
     if (!file.valid() || ::fstat(file.number(), &status) != 0)
         fail_to_read(path);
     if (S_ISDIR(status.st_mode))
-        throw InputError(fmt::format("{}: this is a folder; name a key file", path.string()));
+        throw InputError(fmt::format("{}: this is a folder; name a key file", path.string()),
+                         ErrorCode::unreadable_input);
     WipedText buffer{
         std::string(size_limit, '\0')}; // full-sized from the start, so that no copy is left behind
     std::size_t length = 0;
@@ -95,8 +97,10 @@ Key Key::load(const std::filesystem::path& path) {
 void Key::save(const std::filesystem::path& path) const {
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!file.valid() && errno == EEXIST)
-        throw OutputError(fmt::format(
-            "{}: the file exists and a key is never overwritten; choose another name", path.string()));
+        throw OutputError(
+            fmt::format("{}: the file exists and a key is never overwritten; choose another name",
+                        path.string()),
+            ErrorCode::output_exists);
     if (!file.valid())
         throw OutputError(
             fmt::format("{}: the key file can't be created: {}", path.string(), std::strerror(errno)));

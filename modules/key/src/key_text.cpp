@@ -163,18 +163,23 @@ void check_envelope(std::span<const std::string_view> lines, std::string_view fi
             "{}: this is not a key file of wm3d, whose first line is '{}{}'; name the file that keygen wrote",
             file_name, first_line, Key::format_version));
     if (*version > Key::format_version)
-        throw InputError(fmt::format(
-            "{}: this key file has version {} and this wm3d understands version {}; use a newer wm3d",
-            file_name, *version, Key::format_version));
+        throw InputError(
+            fmt::format(
+                "{}: this key file has version {} and this wm3d understands version {}; use a newer wm3d",
+                file_name, *version, Key::format_version),
+            ErrorCode::newer_version);
     const std::string_view last = lines.back();
     if (!last.starts_with(checksum_field) || last.size() != checksum_field.size() + 32)
         throw InputError(
             fmt::format("{}: this key file was cut, its last line is not the checksum; take it from a backup",
-                        file_name));
+                        file_name),
+            ErrorCode::altered_input);
     if (last.substr(checksum_field.size()) != checksum(lines.first(lines.size() - 1)))
-        throw InputError(fmt::format(
-            "{}: this key file was altered, its checksum doesn't fit its text; take it from a backup",
-            file_name));
+        throw InputError(
+            fmt::format(
+                "{}: this key file was altered, its checksum doesn't fit its text; take it from a backup",
+                file_name),
+            ErrorCode::altered_input);
 }
 
 } // namespace

@@ -116,7 +116,8 @@ ordered_json checked_json(std::string_view text, std::string_view file_name) {
     if (version > Receipt::format_version)
         throw InputError(
             fmt::format("{}: the receipt has format {}, and this wm3d reads up to {}; use a newer wm3d",
-                        file_name, version, Receipt::format_version));
+                        file_name, version, Receipt::format_version),
+            ErrorCode::newer_version);
     return json;
 }
 
@@ -163,7 +164,8 @@ Receipt parse_receipt(std::string_view text, std::string_view file_name) {
         throw InputError(
             fmt::format("{}: the receipt was altered after it was written (its digest doesn't fit); give an "
                         "untouched copy",
-                        file_name));
+                        file_name),
+            ErrorCode::altered_input);
     try {
         Receipt receipt = receipt_from(json);
         if (is_frame(receipt.frame) && !receipt.pose_template.points.empty())

@@ -10,7 +10,8 @@ namespace {
 [[noreturn]] void refuse() {
     throw ParameterError(
         "this build of wm3d can't register against a receipt or a reference, because it was made "
-        "without Ceres; build it with -DWM3D_RESYNC=ON");
+        "without Ceres; build it with -DWM3D_RESYNC=ON",
+        ErrorCode::missing_feature);
 }
 
 } // namespace

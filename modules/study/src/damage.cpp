@@ -60,7 +60,8 @@ std::vector<NamedDamage> parse_damages(std::string_view text) {
 
 std::vector<NamedDamage> parse_damages(std::string_view) {
     throw ParameterError(
-        "this build has no attacks; build it with the module attack, which needs CGAL and OpenMesh");
+        "this build has no attacks; build it with the module attack, which needs CGAL and OpenMesh",
+        ErrorCode::missing_feature);
 }
 
 #endif

@@ -85,7 +85,8 @@ void require_own_receipt(const resync::Receipt& receipt, const key::Key& key) {
         throw ParameterError(
             fmt::format("the receipt was written for key {} and not for key {}; give the receipt of "
                         "this key's mark",
-                        receipt.key_name, key.fingerprint()));
+                        receipt.key_name, key.fingerprint()),
+            ErrorCode::wrong_key);
 }
 
 Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOptions& options,
