@@ -30,8 +30,8 @@ void check_entry(const std::string& ledger, const key::Key& key, std::string_vie
 std::vector<std::filesystem::path> names_of(const std::filesystem::path& path, const io::PatchedFiles& files);
 
 /// Gives the files of a copy, whose bytes are on the disk already, their names and enters it in the ledger:
-/// both or neither. What they replace with `overwrite` comes back where the entry fails. \throw OutputError,
-/// ParameterError
+/// both or neither. What they replace with `overwrite` comes back where the entry fails.
+/// \throw OutputError, ParameterError
 ledger::Entry enter_copy(const std::string& ledger, const key::Key& key, ledger::Entry entry,
                          io::FileSet& files, const std::vector<std::filesystem::path>& names, bool overwrite);
 

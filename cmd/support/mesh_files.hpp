@@ -32,8 +32,9 @@ void add_input(CLI::App& app, MeshFiles& files);
 void add_output(CLI::App& app, MeshFiles& files);
 
 /// Finds out before any work whether the output could be written: a known format, no file in the way, a
-/// folder to hold it, standard output not promised twice. \return the format to write \throw ParameterError,
-/// OutputError
+/// folder to hold it, standard output not promised twice.
+/// \return the format to write
+/// \throw ParameterError, OutputError
 io::Format check_output(const MeshFiles& files, const Output& output);
 
 /// As `check_output`, for an output that is no mesh.

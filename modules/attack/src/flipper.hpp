@@ -28,7 +28,8 @@ public:
     bool may_flip(Index half_edge) const;
 
     /// Replaces edge a-b of triangles a b c and b a d by edge c-d; returns the half-edges of the four edges
-    /// around. \pre  may_flip(half_edge)
+    /// around.
+    /// \pre  may_flip(half_edge)
     std::array<Index, 4> flip(Index half_edge);
 
     TriangleMesh mesh() && { return std::move(mesh_); }

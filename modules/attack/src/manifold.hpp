@@ -12,7 +12,8 @@ TriangleMesh without_unused_vertices(const TriangleMesh& mesh);
 /// An oriented manifold, perhaps with borders and several components, of the same triangles: repeated
 /// triangles and those that repeat a corner are dropped, neighbours are oriented alike, and vertices and
 /// edges where the surface isn't a manifold are split into copies. A mesh that is one already keeps its
-/// order. \throw GeometryError  if no triangle is left
+/// order.
+/// \throw GeometryError if no triangle is left
 TriangleMesh make_manifold(const TriangleMesh& mesh);
 
 } // namespace wm3d::attack

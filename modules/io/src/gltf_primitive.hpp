@@ -13,8 +13,8 @@ namespace wm3d::io {
 /// Whether a primitive has triangles at all; points and lines are no surface. \throw InputError
 bool gltf_is_surface(const Source& source, const Json& primitive);
 
-/// Triangles of a primitive over its own `vertices`, whose mode is triangles, a strip or a fan. \throw
-/// InputError
+/// Triangles of a primitive over its own `vertices`, whose mode is triangles, a strip or a fan.
+/// \throw InputError
 std::vector<Triangle> gltf_triangles(GltfFile& file, const Json& primitive, std::size_t vertices);
 
 } // namespace wm3d::io

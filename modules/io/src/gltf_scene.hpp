@@ -24,7 +24,8 @@ struct PlacedMesh {
 
 /// Meshes of the default scene (the first if none is named, all root nodes if there are no scenes), in the
 /// order of a walk from the roots. A skinned mesh stands in its own coordinates, as the format says. If no
-/// node shows a mesh, every mesh stands once at the origin. \throw InputError  e.g. if nodes form a cycle
+/// node shows a mesh, every mesh stands once at the origin.
+/// \throw InputError e.g. if nodes form a cycle
 std::vector<PlacedMesh> gltf_placed_meshes(const GltfFile& file);
 
 } // namespace wm3d::io

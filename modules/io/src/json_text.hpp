@@ -21,7 +21,8 @@ struct JsonSpan {
 std::vector<JsonSpan> json_elements(std::string_view text, JsonSpan array);
 
 /// Value of a member of an object; the last if there are several; nothing if the value is no object. Keys
-/// that are spelt with escapes are not found. \pre  the text is valid JSON
+/// that are spelt with escapes are not found.
+/// \pre  the text is valid JSON
 std::optional<JsonSpan> json_member(std::string_view text, JsonSpan object, std::string_view key);
 
 /// The document's outermost value.

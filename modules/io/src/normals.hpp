@@ -38,7 +38,8 @@ PatchedFiles with_turned_normals(PatchedFiles files, Format format, const Source
                                  std::string_view output_name);
 
 /// The normals of a patched file; none if it stores none. Those of PLY and OFF stand in the order of the
-/// slots, those of STL in that of the facets. \throw InputError
+/// slots, those of STL in that of the facets.
+/// \throw InputError
 std::optional<NormalTable> ply_normals(const Source& patched);
 std::optional<NormalTable> off_normals(const Source& patched);
 NormalTable stl_normals(const Source& patched);

@@ -21,7 +21,8 @@ struct Polygons {
 
 /// Triangles of all faces, in order. A face is cut into a fan from its first corner if all triangles of the
 /// fan look the same way; otherwise (concave) ears are clipped in the plane of its area vector. Beyond 256
-/// corners it is always a fan, which keeps the time linear. \pre  all corners are numbers of `positions`
+/// corners it is always a fan, which keeps the time linear.
+/// \pre  all corners are numbers of `positions`
 std::vector<Triangle> triangulate(std::span<const Vec3> positions, const Polygons& polygons);
 
 /// Triangles of a strip: every other one turned so that all look the same way.

@@ -13,7 +13,8 @@
 namespace wm3d::io {
 
 /// Reads one decimal number at `begin`, rounded correctly; a leading + is allowed, nan and inf are read as
-/// such. \return the end of the number, or nullptr if there is none or it is out of double's range
+/// such.
+/// \return the end of the number, or nullptr if there is none or it is out of double's range
 const char* parse_number(const char* begin, const char* end, double& value);
 
 /// Walks over words separated by blanks and line ends.
@@ -55,7 +56,8 @@ public:
     void learn(const TextStyle& other);
 
     /// `value` in the file's style: as many decimals as its longest coordinate has, or, if exponents occur,
-    /// as many significant digits. Writes to `out` (at least 400 bytes). \return the text
+    /// as many significant digits. Writes to `out` (at least 400 bytes).
+    /// \return the text
     std::string_view format(double value, char* out) const;
     /// The value that format(value) reads back as.
     double round(double value) const;

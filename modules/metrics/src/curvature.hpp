@@ -17,10 +17,11 @@ using PerScale = std::array<double, 3>;
 /// Mean magnitude of the principal curvatures (|k1| + |k2|) / 2 at every vertex and scale, #V, per unit of
 /// length: eigenvalues of the tensor of D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay
 /// triangulations and normal cycle" (2003),
-///     1 / (pi r^2) sum over edges of angle(e) length(e within the ball) e e^T,
-/// in the ball of radius r around the vertex, over the edges that a walk outwards from the vertex takes; the
-/// eigenvalue of least magnitude belongs to the normal and is left out. Near borders, where the ball holds
-/// less than a disc, the figure is too low. \pre  radii > 0, and `angles` are the `edge_angles`
+///     1 / (pi r^2) sum over edges of angle(e) length(e within the ball) e e^T, in the ball of radius r
+/// around the vertex, over the edges that a walk outwards from the vertex takes; the eigenvalue of least
+/// magnitude belongs to the normal and is left out. Near borders, where the ball holds less than a disc, the
+/// figure is too low.
+/// \pre  radii > 0, and `angles` are the `edge_angles`
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
                                            const std::vector<double>& angles, const PerScale& radii);
 

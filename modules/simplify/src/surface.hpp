@@ -20,8 +20,8 @@ struct Surface {
 
 /// Orders the triangles around every vertex. Triangles are turned over where neighbours disagree, the larger
 /// area of each component deciding. Edges of three or more triangles and seams that can't be oriented are cut
-/// open; each fan of triangles around a vertex then becomes a vertex of its own. \pre  no triangle repeats a
-/// corner or the corners of another; every vertex has a triangle
+/// open; each fan of triangles around a vertex then becomes a vertex of its own.
+/// \pre  no triangle repeats a corner or the corners of another; every vertex has a triangle
 Surface build_surface(std::vector<Triangle> triangles, const std::vector<Vec3>& positions);
 
 } // namespace wm3d::simplify

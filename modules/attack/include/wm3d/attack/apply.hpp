@@ -13,9 +13,9 @@ namespace wm3d::attack {
 
 /// The mesh after the attack. Positions that coincide are welded first, so that no attack opens a seam.
 /// Attacks that need a manifold (subdivision, simplification, remeshing) first orient the triangles and split
-/// the vertices where the surface is not one. Same mesh, spec and seed: same bytes. \throw ParameterError  if
-/// the spec names an attack that this build lacks, or values that don't belong to it \throw GeometryError if
-/// the mesh has no surface or infinite coordinates, or if nothing of it would be left
+/// the vertices where the surface is not one. Same mesh, spec and seed: same bytes.
+/// \throw ParameterError if the spec names an attack that this build lacks, or values that don't belong to it
+/// \throw GeometryError if the mesh has no surface or infinite coordinates, or if nothing of it would be left
 TriangleMesh apply(const TriangleMesh& mesh, const AttackSpec& spec, std::uint64_t seed,
                    const Progress& progress = {});
 

@@ -18,8 +18,10 @@ struct CropOptions {
 /// Removes what lies beyond a plane that leaves `percent` % of the vertices behind it. Triangles that cross
 /// the plane are cut (this project's own clipping): one new vertex for each cut edge, shared by both
 /// triangles of the edge. The share is met to one vertex unless several vertices lie in the same plane across
-/// `normal`. \throw ParameterError  if the percentage is outside (0, 100) or the normal is zero \throw
-/// GeometryError   if nothing would be left, or if the cut is to be closed and its outline crosses itself
+/// `normal`.
+/// \throw ParameterError if the percentage is outside (0, 100) or the normal is zero
+/// \throw GeometryError if nothing would be left, or if the cut is to be closed and its outline crosses
+///        itself
 TriangleMesh crop(const TriangleMesh& mesh, const CropOptions& options, std::uint64_t seed);
 
 } // namespace wm3d::attack

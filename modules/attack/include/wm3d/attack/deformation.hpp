@@ -28,7 +28,8 @@ TriangleMesh transform(const TriangleMesh& mesh, const Mat3& matrix);
 
 /// Bends the longest side of the bounding box into an arc of `degrees`, towards the second longest side.
 /// Lengths in the middle of the box are kept (A. Barr, "Global and local deformations of solid primitives",
-/// 1984). \pre  |degrees| <= 90, so that no part of the box folds over
+/// 1984).
+/// \pre  |degrees| <= 90, so that no part of the box folds over
 TriangleMesh bend(const TriangleMesh& mesh, double degrees);
 
 } // namespace wm3d::attack

@@ -10,8 +10,8 @@ namespace wm3d::attack {
 enum class SubdivisionScheme { midpoint, sqrt3, loop };
 
 /// Subdivides `steps` times. Midpoint cuts each triangle in four and keeps the surface; sqrt3 (L. Kobbelt
-/// 2000) cuts it in three, Loop (C. Loop 1987) in four, and both smooth; these two by OpenMesh. \throw
-/// GeometryError  if the result would have more than 50 million triangles
+/// 2000) cuts it in three, Loop (C. Loop 1987) in four, and both smooth; these two by OpenMesh.
+/// \throw GeometryError if the result would have more than 50 million triangles
 TriangleMesh subdivide(const TriangleMesh& mesh, SubdivisionScheme scheme, int steps);
 
 /// Removes `percent` % of the edges by edge collapses, placed and priced by P. Lindstrom and G. Turk, "Fast
@@ -34,9 +34,9 @@ bool has_voxels();
 
 /// Turns the surface into a signed distance field with `resolution` voxels across the longest side of its box
 /// and extracts the zero level anew, by OpenVDB: the published attack that removes all watermarks that live
-/// in the connectivity (arXiv 2311.12059). Holes are closed first, by a fan each. \throw ParameterError  if
-/// this build lacks OpenVDB \throw GeometryError   if the surface is too thin for the resolution to leave
-/// anything
+/// in the connectivity (arXiv 2311.12059). Holes are closed first, by a fan each.
+/// \throw ParameterError if this build lacks OpenVDB
+/// \throw GeometryError if the surface is too thin for the resolution to leave anything
 TriangleMesh extract_voxels(const TriangleMesh& mesh, int resolution);
 
 } // namespace wm3d::attack

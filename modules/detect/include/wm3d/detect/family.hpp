@@ -44,8 +44,8 @@ struct FamilyScore {
 };
 
 /// Scores every hypothesis with the key's sequences and the best few exactly. The p that is reported belongs
-/// to a hypothesis that was really scored, so leaving others out can only make it larger. \throw
-/// ParameterError  if there is no hypothesis
+/// to a hypothesis that was really scored, so leaving others out can only make it larger.
+/// \throw ParameterError if there is no hypothesis
 FamilyScore score_family(std::span<const Hypothesis> family, const SequenceOfLevel& sequence);
 
 /// For each hypothesis the T at which its p is pf / #family: a key is a (false) positive where any is

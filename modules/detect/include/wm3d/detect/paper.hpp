@@ -10,8 +10,11 @@
 namespace wm3d::detect {
 
 /// The correlation rho = (1/n) sum r_i Delta_i of the radial components of the base vertices with the bumps
-/// above them, eq. (4). \param radius  #n radii about the barycentre \param delta   #n values R_P - R \pre
-/// both have the same size \throw ParameterError  if they are empty
+/// above them, eq. (4).
+/// \param radius  #n radii about the barycentre
+/// \param delta   #n values R_P - R
+/// \pre both have the same size
+/// \throw ParameterError if they are empty
 double correlation(std::span<const double> radius, std::span<const double> delta);
 
 /// The miss probability P_m of the paper's model at false-positive probability `pf`, eq. (5).
@@ -27,8 +30,8 @@ double log10_miss_probability(double gamma, std::size_t n, double delta_mean_squ
                               double pf);
 
 /// The threshold T_rho that gives P_f in the paper's model, eq. (6). The bar in the paper's root covers the
-/// squares (the mean of Delta_i^2, as in eq. (5)): that is the variance of rho. \pre  0 < pf < 1, n > 0,
-/// sigma_r2 >= 0, delta_mean_square >= 0, else ParameterError
+/// squares (the mean of Delta_i^2, as in eq. (5)): that is the variance of rho.
+/// \pre  0 < pf < 1, n > 0, sigma_r2 >= 0, delta_mean_square >= 0, else ParameterError
 double threshold(double pf, std::size_t n, double sigma_r2, double delta_mean_square, double delta_mean,
                  double mu_r);
 

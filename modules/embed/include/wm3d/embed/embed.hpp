@@ -15,8 +15,9 @@ constexpr double marked_radius(double radius, double gamma, double delta) {
 }
 
 /// Moves each base vertex along its own direction from the origin to `marked_radius`; eq. (3). A vertex at
-/// the origin has no direction and stays. \param base   #base positions in the canonical frame \param delta
-/// #base values R_P - R
+/// the origin has no direction and stays.
+/// \param base   #base positions in the canonical frame
+/// \param delta #base values R_P - R
 std::vector<Vec3> mark_base(std::span<const Vec3> base, std::span<const double> delta, double gamma);
 
 /// A mesh over its base domain: each vertex has a place p on a base triangle and a detail vector t = P - p

@@ -53,7 +53,8 @@ private:
 };
 
 /// Adds a patched file and its side files, which go into the folder of `path`; side files first, so that the
-/// main file never names one that is not there. \throw OutputError  as FileSet::add
+/// main file never names one that is not there.
+/// \throw OutputError as FileSet::add
 void add_files(FileSet& set, const std::filesystem::path& path, const PatchedFiles& files);
 
 /// Writes a patched file and its side files, all or none. \throw OutputError  as FileSet

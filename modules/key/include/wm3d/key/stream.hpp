@@ -64,8 +64,8 @@ constexpr std::size_t sequence_length(unsigned level) {
 }
 
 /// W of section 2.2.1: #sequence_length(level) heights, independent and uniform in (-rmax, rmax), in the
-/// order of the sphere's vertices. Sequences of different levels are independent; rmax only scales. \throw
-/// ParameterError  if level > max_level or rmax is not in (0, 1)
+/// order of the sphere's vertices. Sequences of different levels are independent; rmax only scales.
+/// \throw ParameterError if level > max_level or rmax is not in (0, 1)
 std::vector<double> watermark_sequence(const Secret& secret, unsigned level, double rmax);
 
 } // namespace wm3d::key

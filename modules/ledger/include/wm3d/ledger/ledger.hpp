@@ -81,8 +81,9 @@ public:
     CheckReport check() const;
 
     /// Enters a copy, for the time being: number, time, previous and digest are filled in here, and nobody
-    /// else can write until the addition is committed or given up. \throw ParameterError  if the work has a
-    /// copy for this recipient already \throw OutputError     if it is locked or can't be written
+    /// else can write until the addition is committed or given up.
+    /// \throw ParameterError if the work has a copy for this recipient already
+    /// \throw OutputError if it is locked or can't be written
     Addition add(Entry entry);
 
 private:

@@ -79,8 +79,8 @@ double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
 
 /// The frame of a mass: its centroid and its principal axes, from the largest second moment to the smallest;
 /// mean radius of the surface 1. Signs of the first two axes make the surface's third moments along them
-/// positive; the third axis completes a right-handed system. \throw GeometryError  if all of the surface lies
-/// in the centroid
+/// positive; the third axis completes a right-handed system.
+/// \throw GeometryError if all of the surface lies in the centroid
 Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments);
 
 /// The canonical frame: the principal frame of a substance.

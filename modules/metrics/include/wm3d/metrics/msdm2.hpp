@@ -60,7 +60,8 @@ public:
     double distance(const TriangleMesh& distorted) const;
 
     /// The local distances, #V of `distorted`, >= 0; 0 at vertices without a triangle. L and D stay below 1;
-    /// T reaches 2 where C and C^ are opposed. \throw GeometryError  if the mesh has no triangle
+    /// T reaches 2 where C and C^ are opposed.
+    /// \throw GeometryError if the mesh has no triangle
     std::vector<double> field(const TriangleMesh& distorted) const;
 
 private:

@@ -22,7 +22,8 @@ struct OneSidedDistance {
 
 /// Cuts each triangle into m^2 like triangles, with m the least that gives `samples` samples or more on the
 /// whole surface in proportion to area, and takes each part's centre: the same samples for the same mesh. The
-/// largest distance is taken over these samples and the vertices. \pre  samples > 0
+/// largest distance is taken over these samples and the vertices.
+/// \pre  samples > 0
 OneSidedDistance surface_distance(const TriangleMesh& from, const SurfaceTree& to, std::size_t samples);
 
 /// Distance of every vertex of `mesh` from the surface of `reference`, #V.

@@ -24,8 +24,9 @@ std::vector<double> copy_sequence(const key::Secret& secret, unsigned level, dou
 
 /// T of every copy's sequence on a suspect, in standard deviations over random signs. About 1.5 microseconds
 /// per copy on one thread for level 5: signs come as bytes, and the sums of eight coefficients for each byte
-/// from a table. \param statistic  what the suspect says; chosen by anything but these streams, for example
-/// by how well the owner's
+/// from a table.
+/// \param statistic  what the suspect says; chosen by anything but these streams, for example by how well the
+///        owner's
 ///                   common part shows. Its law doesn't matter here.
 /// \param numbers    of the copies, all of one level
 std::vector<double> copy_scores(const key::Secret& secret, const detect::LinearStatistic& statistic,
@@ -41,8 +42,8 @@ struct Accusation {
 };
 
 /// Every copy with log10_p <= log10_pf, the clearest first. Holds however the suspect was made from the other
-/// copies: the signs of a copy that had no part in it are independent of it. \param family  hypotheses that
-/// are paid for, at least #scores
+/// copies: the signs of a copy that had no part in it are independent of it.
+/// \param family  hypotheses that are paid for, at least #scores
 std::vector<Accusation> accuse(const detect::LinearStatistic& statistic, std::span<const double> scores,
                                double log10_pf, std::size_t family);
 

@@ -33,8 +33,8 @@ struct Shares {
 };
 
 /// The watermark sequence of the key, and mixed into it the sequences of the content, in such parts that the
-/// mean square stays that of the key's: #sequence_length(level). \throw ParameterError  as
-/// key::watermark_sequence
+/// mean square stays that of the key's: #sequence_length(level).
+/// \throw ParameterError as key::watermark_sequence
 std::vector<double> mark_sequence(const key::Secret& secret, unsigned level, double rmax,
                                   const Content& content, const Shares& shares = {});
 

@@ -36,7 +36,8 @@ struct HeatSize {
 HeatSize heat_map_size(const HeatMap& map);
 
 /// The commands that draw `map` for a terminal of gnuplot whose canvas has the proportions of
-/// `heat_map_size`. \pre  a row and a column at least
+/// `heat_map_size`.
+/// \pre  a row and a column at least
 std::string gnuplot_script(const HeatMap& map, const std::string& terminal);
 
 } // namespace wm3d::report

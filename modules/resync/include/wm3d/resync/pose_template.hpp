@@ -18,7 +18,9 @@ struct PoseTemplate {
 
 /// Samples a surface by its area: point k stands at the part (k + 1/2) / count of the area, in the order of
 /// the triangles. On a mesh that `simplify` made, whose triangles follow a space-filling curve, the points
-/// are spread evenly. \throw GeometryError   if the surface has no area \throw ParameterError  if count is 0
+/// are spread evenly.
+/// \throw GeometryError if the surface has no area
+/// \throw ParameterError if count is 0
 PoseTemplate make_template(const TriangleMesh& mesh, std::size_t count);
 
 /// The template of the moved surface.

@@ -43,9 +43,10 @@ bool has_registration();
 /// Starts are the four proper choices of principal axes; if none explains the suspect, pairs of oriented
 /// points that look alike at any scale (after B. Drost, M. Ulrich, N. Navab, S. Ilic, "Model globally, match
 /// locally", CVPR 2010). Each is refined by iterative closest points, point to plane (Y. Chen, G. Medioni
-/// 1992), trimmed, with a robust loss. \param suspect  best simplified: every query searches its triangles
-/// \throw GeometryError   if the suspect has no area
-/// \throw ParameterError  if this build can't register, or the template is empty
+/// 1992), trimmed, with a robust loss.
+/// \param suspect  best simplified: every query searches its triangles
+/// \throw GeometryError if the suspect has no area
+/// \throw ParameterError if this build can't register, or the template is empty
 Registration register_template(const PoseTemplate& pose_template, const TriangleMesh& suspect,
                                const RegistrationOptions& options = {}, const Progress& progress = {});
 

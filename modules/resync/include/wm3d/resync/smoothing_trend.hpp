@@ -22,8 +22,8 @@ struct TrendOptions {
 };
 
 /// Frames that the mesh had if it was smoothed, each where it differs enough from `frame`: `frame` less
-/// multiples of what further smoothing does to it. Depends on the mesh alone. \param frame  canonical frame
-/// of the mesh, of this substance
+/// multiples of what further smoothing does to it. Depends on the mesh alone.
+/// \param frame  canonical frame of the mesh, of this substance
 std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, const Frame& frame,
                                                    Substance substance, const TrendOptions& options = {});
 

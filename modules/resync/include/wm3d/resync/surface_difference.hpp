@@ -17,8 +17,10 @@ struct SurfaceDifference {
 
 /// Difference at each vertex of the reference: its normal times the way to the closest point of the suspect.
 /// A vertex has no counterpart if that point lies on the suspect's border, farther than `reach`, or faces
-/// another way. \param suspect  in the coordinates of the reference \throw GeometryError   if the suspect has
-/// no area \throw ParameterError  if this build can't register
+/// another way.
+/// \param suspect  in the coordinates of the reference
+/// \throw GeometryError if the suspect has no area
+/// \throw ParameterError if this build can't register
 SurfaceDifference surface_difference(const TriangleMesh& reference, const TriangleMesh& suspect,
                                      double reach);
 

@@ -24,7 +24,9 @@ struct Refined {
 
 /// Climbs sum q_i w(direction of x_i) from a pose, with as many parameters as its deformation has, by the
 /// method of Broyden, Fletcher, Goldfarb and Shanno. It follows the key, so the result is worth what the
-/// lattice of poses costs. \param x  #points, in the suspect's units \param q  #points
+/// lattice of poses costs.
+/// \param x  #points, in the suspect's units
+/// \param q  #points
 Refined refine(std::span<const Vec3> x, std::span<const double> q, const KeyFunction& key, const Pose& start,
                const RefineOptions& options = {});
 

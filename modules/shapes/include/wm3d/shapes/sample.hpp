@@ -17,7 +17,8 @@ inline constexpr std::size_t sample_max_faces = 5'000'000;
 /// thin strap handle, a spout, a hollow neck with a thin wall, square steps, fine relief all over. Closed,
 /// connected, manifold, not star-shaped, with three distinct principal axes. `faces` is met within a few
 /// percent; parts too thin for the size of the triangles are made thicker. `seed` draws the relief; same
-/// numbers, same mesh. \throw ParameterError  if `faces` is out of range
+/// numbers, same mesh.
+/// \throw ParameterError if `faces` is out of range
 TriangleMesh sample(std::size_t faces, std::uint64_t seed);
 
 } // namespace wm3d::shapes

@@ -10,7 +10,8 @@
 namespace wm3d::shapes {
 
 /// Surface of the box [0, size] with each side cut into n by n squares of two triangles; closed, with
-/// creases. \pre  n > 0
+/// creases.
+/// \pre  n > 0
 TriangleMesh box(const Vec3& size, std::size_t n);
 
 /// Sphere about the origin by `rings` parallels and 2 `rings` meridians; closed.

@@ -37,9 +37,9 @@ struct Blend {
 /// \param base     base domain in the canonical frame
 /// \param rows     B for its vertices
 /// \param rms      root mean square move that is meant, in mean radii: the templates are those of the marked
-/// mesh \param density  base vertices over vertices of the full mesh, at most 1: a smoothing step spreads
-/// over the edges of
-///                 the full mesh, so fewer steps do the same to the base
+///        mesh
+/// \param density  base vertices over vertices of the full mesh, at most 1: a smoothing step spreads over the
+///        edges of the full mesh, so fewer steps do the same to the base
 std::vector<double> normal_moves(const TriangleMesh& base, const sphere::SparseRows& rows,
                                  std::span<const double> w, double rms, double density,
                                  const Blend& blend = {});

@@ -12,7 +12,8 @@ namespace wm3d::sphere {
 
 /// R_P of eq. (3): the distance at which the ray of `at` meets the bumped mesh. With b the barycentric
 /// coordinates in the flat face and s its distance, the ray's direction is sum_j (b_j / s) v_j, so that R_P =
-/// s / sum_j b_j / (R + w_j). \pre  R + w_j > 0 at the three corners
+/// s / sum_j b_j / (R + w_j).
+/// \pre  R + w_j > 0 at the three corners
 double bumped_radius(const SphereLocation& at, std::span<const double> w, double radius = 1);
 
 /// Delta = R_P - R of eq. (3).

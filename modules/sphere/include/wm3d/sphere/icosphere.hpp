@@ -42,7 +42,8 @@ public:
 
     /// Finds the face in `direction` by descent through the levels. The length of `direction` doesn't matter;
     /// of zero, which has no direction, the answer is that of +z. On an edge or a vertex any face around it
-    /// is right. \pre  the coordinates are finite
+    /// is right.
+    /// \pre  the coordinates are finite
     SphereLocation locate(const Vec3& direction) const;
 
     /// Where the same direction meets the sphere of a coarser level, given its place on this one.

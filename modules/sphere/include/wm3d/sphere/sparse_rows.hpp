@@ -24,7 +24,8 @@ struct SparseRows {
 SparseRows barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions);
 
 /// B for the given directions at each of `levels`, none finer than the sphere's. Every direction is located
-/// once, on the sphere's own level. In parallel. \throw ParameterError  if a level is finer than the sphere
+/// once, on the sphere's own level. In parallel.
+/// \throw ParameterError if a level is finer than the sphere
 std::vector<SparseRows> barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions,
                                          std::span<const unsigned> levels);
 

@@ -24,7 +24,8 @@ struct Calibration {
 
 /// Scores `keys` random keys of the family `seed` on an unmarked mesh, in pose 0 and at one level: each
 /// filter of the whitened detector against its exact thresholds, and the paper's rho against T_rho of eq.
-/// (6), computed with each key's own moments. \pre  level is one of the examination's
+/// (6), computed with each key's own moments.
+/// \pre  level is one of the examination's
 Calibration calibrate(const watermark::Examination& suspect, unsigned level, std::size_t keys,
                       std::uint64_t seed, const std::vector<double>& pf = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5});
 

@@ -35,7 +35,8 @@ inline constexpr double largest_strength = 2;
 
 /// The smallest strength that meets the requirement on this mesh, within 2 %. Each step marks the mesh with
 /// random keys, damages, examines and so measures what is left of the mark; P_m then follows as in
-/// `log10_miss`. \throw GeometryError, ParameterError  as TrialBench
+/// `log10_miss`.
+/// \throw GeometryError, ParameterError as TrialBench
 Recommendation recommend(const TriangleMesh& mesh, const TrialSetting& setting,
                          const Requirement& requirement, const Progress& progress = {});
 

@@ -54,7 +54,8 @@ struct MeasuredCurve {
 inline constexpr double roc_confidence = 0.95;
 
 /// The Clopper-Pearson interval: probabilities at which so many misses, or more, and so many, or fewer, are
-/// no rarer than (1 - confidence) / 2. \pre  missed <= trials and trials > 0
+/// no rarer than (1 - confidence) / 2.
+/// \pre  missed <= trials and trials > 0
 MeasuredPoint measured_point(double pf, std::size_t missed, std::size_t trials,
                              double confidence = roc_confidence);
 

@@ -19,7 +19,8 @@ struct KnownPose {
 };
 
 /// The frame of the receipt as it stands, where the suspect lies around it, and, if `align`, the one that
-/// registration against its template finds. \throw ParameterError  if this build can't register
+/// registration against its template finds.
+/// \throw ParameterError if this build can't register
 KnownPose pose_by_receipt(const resync::Receipt& receipt, const Suspect& suspect, bool align,
                           const Progress& progress = {});
 

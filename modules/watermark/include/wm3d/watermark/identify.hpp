@@ -28,7 +28,8 @@ struct IdentifyReport {
 
 /// Whose copies the suspect was made from. The suspect is examined once, the owner's common part tells pose,
 /// filter and level, and every copy is one sum of signs there. All copies are paid for, also those of other
-/// levels. \throw GeometryError, ParameterError  as `verify`
+/// levels.
+/// \throw GeometryError, ParameterError as `verify`
 IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::span<const IssuedCopy> copies,
                         const VerifyOptions& options, const Progress& progress = {});
 

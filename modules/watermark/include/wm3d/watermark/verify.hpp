@@ -88,8 +88,9 @@ struct VerifyReport {
 
 /// Whether the key's mark is in the suspect. The verdict isn't "absent" where a registration that was asked
 /// for fails, nor where none was asked for and the suspect looks like a part of something: then its own axes
-/// aren't the mark's. \throw GeometryError   if the mesh has no area \throw ParameterError  if the receipt
-/// belongs to another key, or this build can't register
+/// aren't the mark's.
+/// \throw GeometryError if the mesh has no area
+/// \throw ParameterError if the receipt belongs to another key, or this build can't register
 VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options = {},
                     const Progress& progress = {});
 
