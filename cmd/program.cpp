@@ -63,10 +63,8 @@ int run_command(const Command& command, std::span<char* const> arguments) {
     const std::string name = fmt::format("wm3d {}", command.name);
     CLI::App app{std::string(command.summary), name};
     app.get_formatter()->column_width(32);
-    app.set_help_flag();
-    const Action action = command.declare(app);
     OutputOptions options;
-    add_output_options(app, options);
+    const Action action = declare(command, app, options);
     try {
         // CLI11 takes the arguments last first.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -28,7 +28,7 @@ void add_format(CLI::App& app, MeshFiles& files) {
                 return io::format_of_name(name) ? std::string()
                                                 : fmt::format("'{}' is none of {}", name, known_formats);
             },
-            ""));
+            "{obj,ply,stl,off,gltf,glb}"));
 }
 
 bool is_stream(const std::string& path) {

@@ -53,8 +53,6 @@ std::string complaint_about_extras(const CLI::App& app) {
     return fmt::format("'{}' is not an option", name);
 }
 
-} // namespace
-
 void add_output_options(CLI::App& app, OutputOptions& options) {
     app.add_flag("--json", options.json, "Print the result as one JSON object")->group("Output");
     app.add_flag("-q,--quiet", options.quiet, "Say nothing but errors and the result")->group("Output");
@@ -64,6 +62,15 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
         ->check(whole_number_between(1, 4096))
         ->group("Output");
     app.set_help_flag("-h,--help", "Print this help and exit")->group("Output");
+}
+
+} // namespace
+
+Action declare(const Command& command, CLI::App& app, OutputOptions& options) {
+    app.set_help_flag();
+    Action action = command.declare(app);
+    add_output_options(app, options);
+    return action;
 }
 
 std::string help_text(const CLI::App& app) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "command.hpp"
 #include "support/output.hpp"
 
 namespace CLI {
@@ -15,8 +16,9 @@ class Validator;
 
 namespace wm3d::cmd {
 
-/// Adds --json, -q, -v, --threads and --help to `app`; last, so that the help lists them last.
-void add_output_options(CLI::App& app, OutputOptions& options);
+/// Declares all of a command: its own options, then --json, -q, -v, --threads and --help, so that the help lists
+/// those last. \return what to do once they are parsed
+Action declare(const Command& command, CLI::App& app, OutputOptions& options);
 
 /// The help of a command.
 std::string help_text(const CLI::App& app);
