@@ -7,8 +7,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 # The same bytes on every run and machine of one architecture: no fused multiply-add behind our back.
 target_compile_options(wm3d_settings INTERFACE -ffp-contract=off)
 
+# Where sources are compiled together, a local name may well be one of another file's own: no -Wshadow there.
 target_compile_options(wm3d_settings INTERFACE
-    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual
+    -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>)
 if(WM3D_WERROR)
     target_compile_options(wm3d_settings INTERFACE -Werror)
