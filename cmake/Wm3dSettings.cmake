@@ -11,6 +11,10 @@ target_compile_options(wm3d_settings INTERFACE -ffp-contract=off)
 target_compile_options(wm3d_settings INTERFACE
     -Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow> -Wnon-virtual-dtor -Wcast-align -Woverloaded-virtual
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond -Wlogical-op>)
+if(CMAKE_UNITY_BUILD)
+    # Sources that are compiled as one are headers to g++, which then warns of anonymous namespaces in classes.
+    target_compile_options(wm3d_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 if(WM3D_WERROR)
     target_compile_options(wm3d_settings INTERFACE -Werror)
 endif()
