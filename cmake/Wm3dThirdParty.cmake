@@ -60,6 +60,14 @@ if(meshoptimizer_FOUND)
         LIBS -lmeshoptimizer)
 endif()
 
+# Optional: makes time stamp requests.
+if("commitment" IN_LIST WM3D_MODULES)
+    find_package(OpenSSL 3 QUIET)
+    if(TARGET OpenSSL::Crypto)
+        wm3d_third_party(openssl LINK OpenSSL::Crypto)
+    endif()
+endif()
+
 find_package(Boost 1.74 REQUIRED)
 wm3d_third_party(boost LINK Boost::headers)
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include <wm3d/study/recommend.hpp>
 #include <wm3d/watermark/mark_file.hpp>
 
+#include "support/commitment_files.hpp"
 #include "support/copies.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
@@ -28,6 +30,7 @@ struct MarkArguments {
     MeshFiles files;
     std::string key;
     std::string receipt;
+    std::string commitment;
     std::string normals = "keep";
     watermark::MarkOptions options;
     bool automatic = false; ///< find the strength
@@ -47,7 +50,8 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
 
 /// Refuses to write over the key, which nothing could bring back.
 void protect_key(const MarkArguments& arguments) {
-    for (const std::string& target : {arguments.files.output, arguments.receipt, arguments.ledger}) {
+    for (const std::string& target :
+         {arguments.files.output, arguments.receipt, arguments.ledger, arguments.commitment}) {
         std::error_code ignored;
         if (std::filesystem::equivalent(target, arguments.key, ignored))
             throw ParameterError(
@@ -115,11 +119,14 @@ std::optional<ledger::Entry> write(const watermark::MarkedModel& result, const i
         io::add_files(set, arguments.files.output, result.files);
         targets = names_of(arguments.files.output, result.files);
     }
-    if (!arguments.receipt.empty()) { // last: it speaks of files that are there
-        set.add(arguments.receipt,
-                resync::to_text(watermark::make_receipt(model, result, key, output.progress())));
+    std::optional<std::string> receipt;
+    if (!arguments.receipt.empty()) { // after the files that it speaks of
+        receipt = resync::to_text(watermark::make_receipt(model, result, key, output.progress()));
+        set.add(arguments.receipt, *receipt);
         targets.emplace_back(arguments.receipt);
     }
+    add_commitment_files(set, arguments.commitment,
+                         commitment::commit_to(key, {arguments.options.vertices}, receipt));
     if (to_stream)
         output.write_bytes(result.files.bytes);
     if (copy)
@@ -204,6 +211,7 @@ int run(const MarkArguments& arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
         check_target(arguments.receipt, arguments.files.overwrite);
+    check_commitment_target(arguments.commitment, arguments.files.overwrite);
     protect_key(arguments);
     const key::Key key = load_key(arguments.key, output);
     const io::Model model = read_input(arguments.files);
@@ -228,6 +236,8 @@ int run(const MarkArguments& arguments, Output& output) {
         json["copy"] = {{"recipient", entry->recipient}, {"work", entry->work}, {"entry", entry->number}};
     if (!arguments.receipt.empty())
         json["receipt"] = arguments.receipt;
+    if (!arguments.commitment.empty())
+        json["commitment"] = arguments.commitment;
     output.print_json(json);
     return exit_done;
 }
@@ -299,6 +309,7 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
     app.add_option("--receipt", arguments.receipt,
                    "Also write what finds cut or ambiguous copies again without the original")
         ->option_text("FILE");
+    add_commitment_output(app, arguments.commitment);
     app.add_option("--pf", options.pf,
                    "False-positive probability at which the mark must be found again [1e-6]")
         ->option_text("P")

@@ -18,6 +18,7 @@
 #include "support/mesh_files.hpp"
 #include "support/probability_text.hpp"
 #include "support/usage.hpp"
+#include "verify_condition.hpp"
 
 namespace wm3d::cmd {
 
@@ -33,6 +34,7 @@ struct VerifyArguments {
     std::string detector = "whitened";
     std::string resync; ///< empty: pca, and icp where a receipt or a reference is given
     std::string receipt, reference;
+    std::string commitment;
     bool exit_zero = false;
 };
 
@@ -282,14 +284,17 @@ ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyRe
 
 /// What the owner gave besides the key.
 struct Evidence {
+    std::optional<std::string> receipt_text;
     std::optional<resync::Receipt> receipt;
     std::optional<io::Model> reference;
 };
 
 Evidence read_evidence(const VerifyArguments& arguments, Output& output) {
     Evidence evidence;
-    if (!arguments.receipt.empty())
-        evidence.receipt = resync::parse_receipt(io::read_file(arguments.receipt), arguments.receipt);
+    if (!arguments.receipt.empty()) {
+        evidence.receipt_text = io::read_file(arguments.receipt);
+        evidence.receipt = resync::parse_receipt(*evidence.receipt_text, arguments.receipt);
+    }
     if (!arguments.reference.empty())
         evidence.reference = read_mesh(arguments.reference);
     if (evidence.receipt && arguments.resync.empty() && !resync::has_registration())
@@ -362,6 +367,8 @@ int run(const VerifyArguments& arguments, Output& output) {
             "--resync pca");
     const key::Key key = load_key(arguments.key, output);
     const Evidence evidence = read_evidence(arguments, output);
+    const Condition condition =
+        condition_of(arguments.commitment, key, {arguments.options.vertices}, evidence.receipt_text);
     const io::Model model = read_input(arguments.files);
     const watermark::VerifyReport report =
         watermark::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
@@ -379,6 +386,9 @@ int run(const VerifyArguments& arguments, Output& output) {
             output.print(receipt_line(file));
         json["receipt"] = {{"file", file}};
     }
+    if (!output.quiet())
+        output.print(condition_line(condition));
+    json["condition"] = to_json(condition);
     output.print_json(json);
     return arguments.exit_zero ? exit_done : exit_status(report.verdict);
 }
@@ -406,6 +416,9 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
         ->check(number_between(0, 1000));
     app.add_option("--receipt", arguments.receipt,
                    "What `mark --receipt` wrote: finds cut and ambiguous copies")
+        ->option_text("FILE");
+    app.add_option("--commitment", arguments.commitment,
+                   "What keygen or mark --commitment wrote: checks that it fixed this key and this receipt")
         ->option_text("FILE");
     app.add_option("--reference", arguments.reference,
                    "The unmarked original: align with it and look at the difference")

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "support/passphrase.hpp"
+
 namespace wm3d::cmd {
 
 namespace {
@@ -22,7 +24,13 @@ bool others_may_read(const std::string& path) {
 } // namespace
 
 key::Key load_key(const std::string& path, Output& output) {
-    key::Key key = key::Key::load(path);
+    protect_memory();
+    key::AskPassphrase ask;
+    if (const int descriptor = output.passphrase_descriptor(); descriptor >= 0)
+        ask = [descriptor] { return passphrase_from(descriptor); };
+    else if (can_ask())
+        ask = [&path] { return ask_passphrase(fmt::format("Passphrase of {}: ", path)); };
+    key::Key key = key::Key::load(path, ask);
     if (others_may_read(path))
         output.warn(fmt::format(
             "{0}: other users of this machine can read this key, and with it make, find and remove "

@@ -10,7 +10,8 @@
 
 namespace wm3d::cmd {
 
-/// Reads a key file, and warns where other users of the machine can read it too.
+/// Reads a key file, and warns where other users of the machine can read it too. The passphrase of a key that
+/// has one comes from --passphrase-fd, or is asked for on the terminal.
 /// \throw InputError  as key::Key::load
 key::Key load_key(const std::string& path, Output& output);
 

@@ -21,6 +21,7 @@ struct OutputOptions {
     bool quiet = false;      ///< -q: errors only, besides the data that was asked for
     bool verbose = false;    ///< -v: say what happens on the way
     std::size_t threads = 0; ///< --threads: 0 means as many as the machine has
+    int passphrase_fd = -1;  ///< --passphrase-fd, of commands that read a key; below 0: ask
 };
 
 /// Colours of words on a terminal.
@@ -33,6 +34,7 @@ public:
     bool json() const { return options_.json; }
     bool quiet() const { return options_.quiet; }
     bool verbose() const { return options_.verbose; }
+    int passphrase_descriptor() const { return options_.passphrase_fd; }
 
     /// A sentence for the person who watches, on standard error; silent with -q.
     void say(std::string_view sentence);

@@ -54,6 +54,11 @@ std::string complaint_about_extras(const CLI::App& app) {
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
+    // For programs; people are asked, and the error that asks for it names it.
+    if (app.get_option_no_throw("--key") != nullptr)
+        app.add_option("--passphrase-fd", options.passphrase_fd)
+            ->group("")
+            ->check(whole_number_between(0, 1 << 20));
     app.add_flag("--json", options.json, "Print the result as one JSON object")->group("Output");
     app.add_flag("-q,--quiet", options.quiet, "Say nothing but errors and the result")->group("Output");
     app.add_flag("-v,--verbose", options.verbose, "Say what happens on the way")->group("Output");

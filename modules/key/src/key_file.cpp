@@ -70,7 +70,7 @@ void synchronise_folder(const std::filesystem::path& path) {
 
 } // namespace
 
-Key Key::load(const std::filesystem::path& path) {
+Key Key::load(const std::filesystem::path& path, const AskPassphrase& ask) {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     struct stat status {};
     if (!file.valid() || ::fstat(file.number(), &status) != 0)
@@ -91,10 +91,11 @@ Key Key::load(const std::filesystem::path& path) {
             break;
         length += static_cast<std::size_t>(got);
     }
-    return parse(std::string_view(buffer.text).substr(0, length), path.string());
+    return parse(std::string_view(buffer.text).substr(0, length), path.string(), ask);
 }
 
-void Key::save(const std::filesystem::path& path) const {
+void Key::save(const std::filesystem::path& path, const Passphrase* passphrase) const {
+    const WipedText content{to_text(passphrase)};
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (!file.valid() && errno == EEXIST)
         throw OutputError(
@@ -104,7 +105,6 @@ void Key::save(const std::filesystem::path& path) const {
     if (!file.valid())
         throw OutputError(
             fmt::format("{}: the key file can't be created: {}", path.string(), std::strerror(errno)));
-    const WipedText content{to_text()};
     if (!write_all(file, content.text) || !file.close()) {
         const int reason = errno;
         ::unlink(path.c_str());

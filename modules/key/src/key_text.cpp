@@ -19,6 +19,7 @@
 #include <wm3d/core/version.hpp>
 #include <wm3d/key/stream.hpp>
 
+#include "protection.hpp"
 #include "sodium.hpp"
 
 namespace wm3d::key {
@@ -140,7 +141,7 @@ public:
 
     void expect_no_more() const {
         if (!values_.empty())
-            fail("it has a field that version 1 doesn't know");
+            fail("it has a field that its version doesn't know");
     }
 
     [[noreturn]] void fail(std::string_view fault) const {
@@ -153,8 +154,8 @@ private:
     std::string_view file_name_;
 };
 
-/// Checks first line and checksum.
-void check_envelope(std::span<const std::string_view> lines, std::string_view file_name) {
+/// Checks first line and checksum. \return  the version
+unsigned check_envelope(std::span<const std::string_view> lines, std::string_view file_name) {
     const auto version = lines.empty() || !lines[0].starts_with(first_line)
                              ? std::nullopt
                              : parse_number<unsigned>(lines[0].substr(first_line.size()));
@@ -180,6 +181,23 @@ void check_envelope(std::span<const std::string_view> lines, std::string_view fi
                 "{}: this key file was altered, its checksum doesn't fit its text; take it from a backup",
                 file_name),
             ErrorCode::altered_input);
+    return *version;
+}
+
+/// The secret behind a passphrase. \throw InputError
+Secret ask_for_secret(const ProtectedSecret& box, std::string_view file_name, const AskPassphrase& ask) {
+    if (!ask)
+        throw InputError(
+            fmt::format("{}: a passphrase protects this key, and there is nobody to ask for it; give "
+                        "it with --passphrase-fd",
+                        file_name));
+    std::optional<Secret> secret = opened(box, ask());
+    if (!secret)
+        throw InputError(
+            fmt::format("{}: the passphrase doesn't open this key; type it as it was when the key "
+                        "was made",
+                        file_name));
+    return *std::move(secret);
 }
 
 } // namespace
@@ -195,14 +213,19 @@ Key Key::generate(std::string name, PublicParameters parameters) {
     return Key(std::move(name), fmt::format("wm3d {}", version()), std::move(parameters), Secret::random());
 }
 
-Key Key::parse(std::string_view text, std::string_view file_name) {
+Key Key::parse(std::string_view text, std::string_view file_name, const AskPassphrase& ask) {
     const std::vector<std::string_view> lines = lines_of(text);
-    check_envelope(lines, file_name);
+    const unsigned version = check_envelope(lines, file_name);
     const std::span<const std::string_view> all(lines);
     Fields fields(all.first(all.size() - 1), file_name);
     const auto as_text = [](std::string_view value) { return std::optional(std::string(value)); };
     std::string name = fields.take("name", as_text);
-    Secret secret = fields.take("secret", parse_secret);
+    std::optional<Secret> secret;
+    std::optional<ProtectedSecret> box;
+    if (version == 1)
+        secret = fields.take("secret", parse_secret);
+    else
+        box = fields.take("protected-secret", parse_protected);
     PublicParameters parameters;
     parameters.levels = fields.take("levels", parse_levels);
     parameters.rmax = fields.take("rmax", parse_number<double>);
@@ -214,18 +237,21 @@ Key Key::parse(std::string_view text, std::string_view file_name) {
     for (const std::string_view fault : {fault_of_name(name), fault_of_parameters(parameters)})
         if (!fault.empty())
             fields.fail(fault);
-    return Key(std::move(name), std::move(created_by), std::move(parameters), std::move(secret));
+    if (box) // asked for last: whatever else is wrong is told before anybody types
+        secret = ask_for_secret(*box, file_name, ask);
+    return Key(std::move(name), std::move(created_by), std::move(parameters), *std::move(secret));
 }
 
-std::string Key::to_text() const {
-    std::string digits = to_hex(secret_.bytes());
-    std::string text =
-        fmt::format("{}{}\n"
-                    "# Keep this file secret and keep a copy: whoever has it can make and prove marks.\n"
-                    "name: {}\nsecret: {}\nlevels: {}\nrmax: {}\nreference-strength: {}\ncreated-by: {}\n",
-                    first_line, format_version, name_, digits, fmt::join(parameters_.levels, " "),
-                    parameters_.rmax, parameters_.reference_strength, created_by_);
-    wipe(digits);
+std::string Key::to_text(const Passphrase* passphrase, const ProtectionCost& cost) const {
+    std::string secret =
+        passphrase != nullptr ? key::to_text(protect(secret_, *passphrase, cost)) : to_hex(secret_.bytes());
+    std::string text = fmt::format(
+        "{}{}\n# Keep this file secret and keep a copy: whoever has it{} can make and prove marks.\n"
+        "name: {}\n{}: {}\nlevels: {}\nrmax: {}\nreference-strength: {}\ncreated-by: {}\n",
+        first_line, passphrase != nullptr ? 2 : 1, passphrase != nullptr ? " and its passphrase" : "", name_,
+        passphrase != nullptr ? "protected-secret" : "secret", secret, fmt::join(parameters_.levels, " "),
+        parameters_.rmax, parameters_.reference_strength, created_by_);
+    wipe(secret);
     text += fmt::format("{}{}\n", checksum_field, checksum(lines_of(text)));
     return text;
 }

@@ -2,6 +2,7 @@
 #include <wm3d/key/secret.hpp>
 
 #include <algorithm>
+#include <new>
 
 #include <sodium.h>
 
@@ -39,30 +40,33 @@ std::array<std::uint8_t, 8> little_endian(std::uint64_t number) {
     return bytes;
 }
 
+std::shared_ptr<std::uint8_t> guarded_memory(std::size_t size) {
+    start_sodium();
+    void* const memory = sodium_malloc(size);
+    if (memory == nullptr)
+        throw std::bad_alloc();
+    return {static_cast<std::uint8_t*>(memory), [](std::uint8_t* bytes) { sodium_free(bytes); }};
+}
+
 void wipe(std::string& text) {
     sodium_memzero(text.data(), text.size());
     text.clear();
 }
 
 Secret::Secret(std::span<const std::uint8_t, size> bytes) {
-    std::ranges::copy(bytes, bytes_.begin());
-}
-
-Secret::~Secret() {
-    sodium_memzero(bytes_.data(), bytes_.size());
+    const std::shared_ptr<std::uint8_t> memory = guarded_memory(size);
+    std::ranges::copy(bytes, memory.get());
+    bytes_ = memory;
 }
 
 Secret Secret::random() {
-    start_sodium();
-    std::array<std::uint8_t, size> bytes;
-    randombytes_buf(bytes.data(), bytes.size());
-    const Secret secret(bytes);
-    sodium_memzero(bytes.data(), bytes.size());
-    return secret;
+    const std::shared_ptr<std::uint8_t> memory = guarded_memory(size);
+    randombytes_buf(memory.get(), size);
+    return Secret(memory);
 }
 
 bool operator==(const Secret& a, const Secret& b) {
-    return sodium_memcmp(a.bytes_.data(), b.bytes_.data(), Secret::size) == 0;
+    return sodium_memcmp(a.bytes_.get(), b.bytes_.get(), Secret::size) == 0;
 }
 
 Secret null_secret(std::uint64_t seed, std::uint64_t number) {
@@ -70,8 +74,10 @@ Secret null_secret(std::uint64_t seed, std::uint64_t number) {
     for (const std::uint64_t part : {seed, number})
         for (const std::uint8_t byte : little_endian(part))
             message += static_cast<char>(byte);
-    std::array<std::uint8_t, Secret::size> bytes;
-    blake2b(bytes, bytes_of(message), {});
+    // Anybody can make it and calibration makes very many, so it needs no pages of its own.
+    const std::shared_ptr<std::uint8_t> bytes(new std::uint8_t[Secret::size],
+                                              std::default_delete<std::uint8_t[]>());
+    blake2b({bytes.get(), Secret::size}, bytes_of(message), {});
     return Secret(bytes);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,10 @@ std::string to_hex(std::span<const std::uint8_t> bytes);
 
 /// Little-endian bytes of a number.
 std::array<std::uint8_t, 8> little_endian(std::uint64_t number);
+
+/// Memory of its own pages that is not swapped out nor dumped where the system grants that, guarded against
+/// overruns, and wiped when the last pointer to it goes. \throw std::bad_alloc
+std::shared_ptr<std::uint8_t> guarded_memory(std::size_t size);
 
 /// Overwrites a text that held a secret.
 void wipe(std::string& text);

@@ -106,7 +106,7 @@ TEST_CASE("what is no key file is told from a key file of a newer version") {
     CHECK(says("ply\nformat ascii 1.0\n", "is not a key file"));
     CHECK(says("wm3d key, version zero\n", "is not a key file"));
     CHECK(says("wm3d key, version 0\n", "is not a key file"));
-    CHECK(says(replaced(std::string(frozen), "version 1", "version 2"), "understands version 1"));
+    CHECK(says(replaced(std::string(frozen), "version 1", "version 3"), "understands version 2"));
 }
 
 TEST_CASE("names that are not UTF-8 are refused") {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include <wm3d/key/passphrase.hpp>
 #include <wm3d/key/secret.hpp>
 
 namespace wm3d::key {
@@ -23,26 +24,30 @@ struct PublicParameters {
 /// An owner's key.
 class Key {
 public:
-    /// Newest version of the file format that this library reads and the one it writes.
-    static constexpr unsigned format_version = 1;
+    /// Newest version of the file format that this library reads. It writes version 2 of keys that a
+    /// passphrase protects, and version 1 of all others.
+    static constexpr unsigned format_version = 2;
 
     /// A new random key. `name` is for people: one line of UTF-8, at most 200 bytes.
     /// \throw ParameterError  if the name or a parameter is out of range
     static Key generate(std::string name, PublicParameters parameters = {});
 
-    /// Reads the text of a key file; messages call it `file_name`.
-    /// \throw InputError  if it is no key file, cut, altered, of a newer version or has a value out of range
-    static Key parse(std::string_view text, std::string_view file_name);
+    /// Reads the text of a key file; messages call it `file_name`. `ask` is called if a passphrase protects
+    /// it. \throw InputError  if it is no key file, cut, altered, of a newer version or has a value out of
+    /// range,
+    ///                    or the passphrase is missing or a wrong one
+    static Key parse(std::string_view text, std::string_view file_name, const AskPassphrase& ask = {});
 
     /// \throw InputError  as `parse`, or if the file can't be read
-    static Key load(const std::filesystem::path& path);
+    static Key load(const std::filesystem::path& path, const AskPassphrase& ask = {});
 
     /// Writes a new file that only its owner may read (mode 0600). Leaves nothing behind when it fails.
+    /// \param passphrase  opens the file; null: whoever can read it has the key
     /// \throw OutputError  if the file exists or can't be written
-    void save(const std::filesystem::path& path) const;
+    void save(const std::filesystem::path& path, const Passphrase* passphrase = nullptr) const;
 
-    /// The text of the key file. It holds the secret.
-    std::string to_text() const;
+    /// The text of the key file. It holds the secret, under the passphrase if there is one.
+    std::string to_text(const Passphrase* passphrase = nullptr, const ProtectionCost& cost = {}) const;
 
     const std::string& name() const { return name_; }
     const std::string& created_by() const { return created_by_; }

@@ -2,33 +2,36 @@
 /// \file  256 secret bits, and what may be told about them in public.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
 namespace wm3d::key {
 
-/// 256 bits that only the owner knows. Wiped from memory when destroyed; compared in constant time.
+/// 256 bits that only the owner knows. Copies share one place in memory that is never swapped out nor dumped
+/// where the system grants that, and wiped with the last of them; compared in constant time.
 class Secret {
 public:
     static constexpr std::size_t size = 32;
 
     explicit Secret(std::span<const std::uint8_t, size> bytes);
-    ~Secret();
-    Secret(const Secret&) = default;
-    Secret& operator=(const Secret&) = default;
 
     /// A new secret from the operating system's generator.
     static Secret random();
 
-    std::span<const std::uint8_t, size> bytes() const { return bytes_; }
+    std::span<const std::uint8_t, size> bytes() const {
+        return std::span<const std::uint8_t, size>(bytes_.get(), size);
+    }
 
     friend bool operator==(const Secret& a, const Secret& b);
 
 private:
-    std::array<std::uint8_t, size> bytes_;
+    explicit Secret(std::shared_ptr<const std::uint8_t> bytes) : bytes_(std::move(bytes)) {}
+    friend Secret null_secret(std::uint64_t seed, std::uint64_t number);
+
+    std::shared_ptr<const std::uint8_t> bytes_;
 };
 
 /// Random secret number `number` of the family `seed`: reproducible by anyone, so good for calibration (null
