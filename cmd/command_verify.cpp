@@ -61,7 +61,7 @@ std::string search_limits(const watermark::VerifyReport& report) {
         return ", and the rest alone doesn't tell where the mark lies (--resync search looks for it "
                "everywhere)";
     if (!report.search->complete)
-        return ", and the search was cut short by --effort";
+        return ", and the search was not wide enough for any cut (--effort 4 is)";
     return ", and the search would miss a mark of the usual strength on so little or so rough a surface";
 }
 

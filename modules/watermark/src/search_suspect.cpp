@@ -21,7 +21,9 @@ namespace wm3d::watermark {
 namespace {
 
 constexpr double pairs_of_effort_one = 6000; ///< of a centre and a sequence
-constexpr double pairs_of_whole = 1000;      ///< of what has no opening: its centre can't be far away
+/// From which no cut that was measured (docs/resync.md) has its centre outside of the places that are tried.
+constexpr double exhaustive_effort = 4;
+constexpr double pairs_of_whole = 1000; ///< of what has no opening: its centre can't be far away
 constexpr double pairs_about_own_centre = 24;
 /// Of the lattices of centres, in mean radii. At the usual strength a centre 0.03 off still shows a mark
 /// clearly; a centre 0.045 off shows most, for a third of the time.
@@ -187,8 +189,8 @@ std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const 
 /// mirror image, and the rest.
 std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
     const std::vector<unsigned> levels = ordered_levels(piece.suspect.mesh.positions.size());
-    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.45 : 1));
-    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.2)
+    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.55 : 1));
+    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.1)
                                         : std::vector<Vec3>{};
     const auto first = [&](double part) {
         const auto count = piece.extent == Extent::all ? std::ceil(part * static_cast<double>(wide_.size()))
@@ -291,12 +293,15 @@ SearchResult SuspectSearch::run() {
     order.push_back({suspect_, {}, extent(suspect_, seen_)});
     piece_count_ = order.size();
     result_.report.pieces = order.size();
-    result_.report.complete = effort_.effort >= 1;
 
     bool found = look_at_mirror_image();
     for (std::size_t k = 0; k + 1 < order.size() && !found; ++k)
         found = look_at_piece(order[k]);
     const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
+    const bool open = std::ranges::any_of(order, [](const Piece& piece) {
+        return piece.extent == Extent::all && search::outline(piece.suspect.mesh).opening > tolerated_opening;
+    });
+    result_.report.complete = effort_.effort >= (open ? exhaustive_effort : 1);
     for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
         if (order[k].extent != Extent::none)
             found = search_piece(order[k], effort_.effort * pairs_for(order[k], static_cast<double>(wide)));

@@ -25,7 +25,7 @@ Outline outline(const TriangleMesh& mesh);
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
     double least_opening = 0.002; ///< relative area from which an opening tells a direction
-    double wide = 0.7; ///< angle from the opening's axis at which a place counts as twice as far, radians
+    double wide = 1.1; ///< angle from the opening's axis at which a place counts as twice as far, radians
 };
 
 /// The first `count` places of a body-centred cubic lattice around the centroid, in the coordinates of the

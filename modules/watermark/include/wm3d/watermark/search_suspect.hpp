@@ -49,7 +49,7 @@ struct SearchReport {
     double seconds = 0;
     double log10_hypotheses = 0; ///< that the pose paid for
     double expected_sigmas = 0;  ///< of a mark of the usual strength in the coarsest step of the search
-    bool complete = false;       ///< nothing was left out for want of effort
+    bool complete = false;       ///< effort enough for any cut: 4, or 1 where there is no opening
     std::optional<FoundPose> pose;
 };
 
