@@ -64,7 +64,7 @@ endif()
 if("commitment" IN_LIST WM3D_MODULES)
     find_package(OpenSSL 3 QUIET)
     if(TARGET OpenSSL::Crypto)
-        wm3d_third_party(openssl LINK OpenSSL::Crypto)
+        wm3d_third_party(openssl LINK OpenSSL::Crypto FIND "find_dependency(OpenSSL 3)" PKG_CONFIG libcrypto)
     endif()
 endif()
 
