@@ -56,7 +56,7 @@ TEST_CASE("What a page says literally means nothing to troff") {
 TEST_CASE("What a completion says literally means nothing to the shell") {
     Option option;
     option.names = {"-o", "--odd"};
-    option.value = "A:B";
+    option.value = std::string("A:B"); // g++ 12 warns of assigned short literals
     option.help = "the user's [1:2]";
     const std::vector<Page> pages{page_with(option)};
     CHECK(contains(zsh_completion(pages), "'[the user'\\''s \\[1\\:2\\]]:A\\:B:'"));
@@ -67,7 +67,7 @@ TEST_CASE("What a completion says literally means nothing to the shell") {
 TEST_CASE("Choices are offered by every shell") {
     Option option;
     option.names = {"--mode"};
-    option.value = "M";
+    option.value = std::string("M");
     option.values = Values::one_of;
     option.choices = {"one", "two"};
     const std::vector<Page> pages{page_with(option)};
