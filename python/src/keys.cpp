@@ -12,8 +12,12 @@ void bind_keys(py::module_& module) {
         .def_static(
             "generate", [](const std::string& name) { return Key::generate(name); },
             "A new random key; the name is for people.", py::arg("name") = "")
-        .def_static("load", &Key::load, "Reads a key file.", py::arg("path"))
-        .def("save", &Key::save, "Writes a new file that only its owner may read; never replaces one.", py::arg("path"))
+        .def_static(
+            "load", [](const std::filesystem::path& path) { return Key::load(path); }, "Reads a key file.",
+            py::arg("path"))
+        .def(
+            "save", [](const Key& key, const std::filesystem::path& path) { key.save(path); },
+            "Writes a new file that only its owner may read; never replaces one.", py::arg("path"))
         .def_property_readonly("name", &Key::name)
         .def_property_readonly("fingerprint", &Key::fingerprint, "Public short name, 16 hexadecimal digits.")
         .def_property_readonly("commitment", &Key::commitment, "Public commitment, 64 hexadecimal digits.")
