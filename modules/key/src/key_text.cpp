@@ -161,8 +161,8 @@ unsigned check_envelope(std::span<const std::string_view> lines, std::string_vie
                              : parse_number<unsigned>(lines[0].substr(first_line.size()));
     if (!version || *version == 0)
         throw InputError(fmt::format(
-            "{}: this is not a key file of wm3d, whose first line is '{}{}'; name the file that keygen wrote",
-            file_name, first_line, Key::format_version));
+            "{}: this is not a key file of wm3d, whose first line is '{}1' or '{}2'; name the file that keygen wrote",
+            file_name, first_line, first_line));
     if (*version > Key::format_version)
         throw InputError(
             fmt::format(
