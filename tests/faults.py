@@ -112,8 +112,8 @@ class Faults(InFolder):
         for option in ("--receipt", "--commitment"):
             done = wm3d("mark", self.source, "-o", self.target, "--key", self.owner, option, self.owner, "--overwrite")
             self.check_refused(done, before)
-        self.check_refused(wm3d("mark", self.source, "-o", self.target, "--key", self.owner, "--receipt", self.target),
-                           before)
+        self.check_refused(wm3d("mark", self.source, "-o", self.target, "--key", self.owner, "--strength", "0.3", "--receipt",
+                                self.target), before)
 
     def test_a_folder_that_can_only_be_read(self):
         locked = self.folder / "locked"
@@ -379,12 +379,12 @@ class Passphrases(InFolder):
 
     def test_the_terminal_asks_and_does_not_show(self):
         source, path = self.sample(4000), self.folder / "k"
-        status, shown = self.on_terminal([b"secret words\n", b"secret words\n"], "keygen", path, "--passphrase")
+        status, shown = self.on_terminal([b"hush hush\n", b"hush hush\n"], "keygen", path, "--passphrase")
         self.assertEqual(status, 0, shown)
-        self.assertNotIn(b"secret", shown)
-        status, shown = self.on_terminal([b"secret words\n"], "verify", source, "--key", path)
+        self.assertNotIn(b"hush", shown)
+        status, shown = self.on_terminal([b"hush hush\n"], "verify", source, "--key", path)
         self.assertIn(status, (1, 3), shown)
-        self.assertNotIn(b"secret", shown)
+        self.assertNotIn(b"hush", shown)
         status, shown = self.on_terminal([b"wrong\n"], "verify", source, "--key", path)
         self.assertEqual(status, 2, shown)
         status, shown = self.on_terminal([b"one\n", b"two\n"], "keygen", self.folder / "l", "--passphrase")

@@ -2,6 +2,7 @@
 #include "support/output.hpp"
 
 #include <cstdlib>
+#include <exception>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,6 +45,15 @@ std::string coloured(std::string_view text, Tone tone, int descriptor) {
     return fmt::format("{}{}\033[0m", colour_of(tone), text);
 }
 
+/// A file's name may hold line ends and what else steers a terminal; a message stays one line.
+std::string one_line(std::string_view sentence) {
+    std::string line(sentence);
+    for (char& c : line)
+        if (const auto byte = static_cast<unsigned char>(c); byte < 0x20 || byte == 0x7f)
+            c = '?';
+    return line;
+}
+
 /// A file name in a sentence may be no UTF-8, which JSON has to be.
 std::string text_of(const nlohmann::ordered_json& object) {
     return object.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -56,9 +66,15 @@ std::string error_object(std::string_view sentence, ErrorCode code) {
 } // namespace
 
 void write_error(std::string_view who, std::string_view sentence, ErrorCode code, bool json) {
-    write_message(fmt::format("{}: {} {}\n", who, coloured("error:", Tone::bad, STDERR_FILENO), sentence));
-    if (json)
+    write_message(
+        fmt::format("{}: {} {}\n", who, coloured("error:", Tone::bad, STDERR_FILENO), one_line(sentence)));
+    if (!json)
+        return;
+    try {
         write_all(STDOUT_FILENO, error_object(sentence, code));
+    } catch (const std::exception&) {
+        // Perhaps this is the very error: standard output can't be written. It was told above.
+    }
 }
 
 Output::Output(std::string command, const OutputOptions& options)
@@ -75,11 +91,11 @@ void Output::detail(std::string_view sentence) {
 }
 
 void Output::warn(std::string_view sentence) {
-    tell(fmt::format("{} {}", coloured("warning:", Tone::warning, STDERR_FILENO), sentence));
+    tell(fmt::format("{} {}", coloured("warning:", Tone::warning, STDERR_FILENO), one_line(sentence)));
 }
 
 void Output::fail(std::string_view sentence) {
-    tell(fmt::format("{} {}", coloured("failed:", Tone::bad, STDERR_FILENO), sentence));
+    tell(fmt::format("{} {}", coloured("failed:", Tone::bad, STDERR_FILENO), one_line(sentence)));
 }
 
 void Output::fail(std::string_view sentence, ErrorCode code) {
