@@ -219,8 +219,8 @@ class Kills(InFolder):
     def test_bench(self):
         out, model = self.folder / "results", self.folder / "model.ply"
         self.assertEqual(wm3d("sample", "-q", "-o", model, "--faces", "4000").returncode, 0)
-        command = ["bench", "--models", model, "--out", out, "--strength", "0.3", "--keys", "2", "--attacks",
-                   "none,noise:0.1"]
+        command = ["bench", "--models", model, "--out", out, "--strengths", "0.3", "--keys", "2", "--attacks",
+                   "quantization:10,noise:0.1"]
         started = time.monotonic()
         first = wm3d(*command)
         if first.returncode == 2 and b"not a command" in first.stderr:
