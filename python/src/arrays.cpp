@@ -20,10 +20,11 @@ void require_rows_of_three(const py::array& array, std::string_view name) {
             fmt::format("{} has the shape {}; give an array of shape (n, 3)", name, shape_of(array)));
 }
 
-void require_kind(const py::array& array, std::string_view name, std::string_view kinds, std::string_view wanted) {
+void require_kind(const py::array& array, std::string_view name, std::string_view kinds,
+                  std::string_view wanted) {
     if (kinds.find(array.dtype().kind()) == std::string_view::npos)
-        throw ParameterError(fmt::format("{} holds '{}'; give {}", name,
-                                         std::string(py::str(array.dtype())), wanted));
+        throw ParameterError(
+            fmt::format("{} holds '{}'; give {}", name, std::string(py::str(array.dtype())), wanted));
 }
 
 std::vector<Vec3> positions_of(const py::array& vertices) {

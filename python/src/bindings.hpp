@@ -11,7 +11,7 @@ namespace wm3d::python {
 
 namespace py = pybind11;
 
-/// Wraps the exceptions: the same sentence, and the kind as a class with its `code`.
+/// The exceptions as classes: the same sentence, and the stable name of the error as `code`.
 void bind_errors(py::module_& module);
 void bind_keys(py::module_& module);
 void bind_calls(py::module_& module);

@@ -134,14 +134,15 @@ Progress progress_of(const py::object& callable) {
 void bind_calls(py::module_& module) {
     const py::arg_v pf("pf", watermark::default_pf);
     const py::arg_v strength("strength", py::none()), gamma("gamma", py::none()), level("level", py::none()),
-        rmax("rmax", py::none()), base_vertices("base_vertices", py::none()), progress("progress", py::none());
-    module.def("mark", mark_arrays, py::arg("V"), py::arg("F"), py::arg("key"), py::kw_only(), strength, gamma,
-               base_vertices, level, rmax, pf, progress);
+        rmax("rmax", py::none()), base_vertices("base_vertices", py::none()),
+        progress("progress", py::none());
+    module.def("mark", mark_arrays, py::arg("V"), py::arg("F"), py::arg("key"), py::kw_only(), strength,
+               gamma, base_vertices, level, rmax, pf, progress);
     module.def("verify", verify_arrays, py::arg("V"), py::arg("F"), py::arg("key"), py::kw_only(), pf,
                py::arg("reference") = py::none(), base_vertices, progress);
-    module.def("mark_file", mark_files, py::arg("source"), py::arg("target"), py::arg("key"), py::kw_only(), strength,
-               gamma, base_vertices, level, rmax, pf, py::arg("receipt") = py::none(), py::arg("overwrite") = false,
-               progress);
+    module.def("mark_file", mark_files, py::arg("source"), py::arg("target"), py::arg("key"), py::kw_only(),
+               strength, gamma, base_vertices, level, rmax, pf, py::arg("receipt") = py::none(),
+               py::arg("overwrite") = false, progress);
     module.def("read", read_arrays, py::arg("path"), py::arg("format") = py::none());
 }
 

@@ -7,8 +7,9 @@
 namespace wm3d::python {
 
 void bind_keys(py::module_& module) {
-    py::class_<Key>(module, "Key",
-                    "An owner's key: 256 secret bits and public parameters. The secret never becomes a Python object.")
+    py::class_<Key>(
+        module, "Key",
+        "An owner's key: 256 secret bits and public parameters. The secret never becomes a Python object.")
         .def_static(
             "generate", [](const std::string& name) { return Key::generate(name); },
             "A new random key; the name is for people.", py::arg("name") = "")
@@ -22,7 +23,8 @@ void bind_keys(py::module_& module) {
         .def_property_readonly("fingerprint", &Key::fingerprint, "Public short name, 16 hexadecimal digits.")
         .def_property_readonly("commitment", &Key::commitment, "Public commitment, 64 hexadecimal digits.")
         .def("__repr__", [](const Key& key) {
-            return fmt::format("<wm3d.Key {} {}>", key.fingerprint(), std::string(py::repr(py::str(key.name()))));
+            return fmt::format("<wm3d.Key {} {}>", key.fingerprint(),
+                               std::string(py::repr(py::str(key.name()))));
         });
 }
 

@@ -130,30 +130,30 @@ class Mistakes(unittest.TestCase):
 
     def test_arrays(self):
         key = wm3d.Key.generate()
-        wrong = wm3d.ParameterError, "parameter"
+        wrong = wm3d.ParameterError, "bad_parameter"
         self.assertIn("(3,)", self.complaint(*wrong, self.V[0], self.F, key))
         self.assertIn("(3, 2)", self.complaint(*wrong, self.V[:, :2], self.F, key))
         self.assertIn("whole numbers", self.complaint(*wrong, self.V, self.F + 0.5, key))
         self.assertIn("real numbers", self.complaint(*wrong, self.V.astype(complex), self.F, key))
         self.assertIn("vertex 3", self.complaint(*wrong, self.V, self.F + 1, key))
         self.assertIn("vertex -1", self.complaint(*wrong, self.V, self.F - 1, key))
-        self.assertIn("V[0]", self.complaint(wm3d.GeometryError, "geometry", self.V * np.nan, self.F, key))
-        self.complaint(wm3d.GeometryError, "geometry", self.V * 0, self.F, key)
-        self.complaint(wm3d.GeometryError, "geometry", np.zeros((0, 3)), np.zeros((0, 3), int), key)
+        self.assertIn("V[0]", self.complaint(wm3d.GeometryError, "unusable_geometry", self.V * np.nan, self.F, key))
+        self.complaint(wm3d.GeometryError, "unusable_geometry", self.V * 0, self.F, key)
+        self.complaint(wm3d.GeometryError, "unusable_geometry", np.zeros((0, 3)), np.zeros((0, 3), int), key)
 
     def test_settings(self):
         key = wm3d.Key.generate()
         for keywords in ({"pf": 0}, {"pf": float("nan")}, {"strength": -1}, {"gamma": float("inf")}, {"rmax": 0},
                          {"strength": 1, "gamma": 1}, {"level": 99}):
-            self.complaint(wm3d.ParameterError, "parameter", *bumpy_torus(20, 12), key, **keywords)
+            self.complaint(wm3d.ParameterError, "bad_parameter", *bumpy_torus(20, 12), key, **keywords)
         with self.assertRaises(TypeError):
             wm3d.mark(self.V, self.F, "a key")
 
     def test_files(self):
-        sentence = self.complaint(wm3d.InputError, "input", "/nowhere/a.ply", function=wm3d.read)
+        sentence = self.complaint(wm3d.InputError, "unreadable_input", "/nowhere/a.ply", function=wm3d.read)
         self.assertIn("/nowhere/a.ply", sentence)
-        self.complaint(wm3d.InputError, "input", __file__, function=wm3d.Key.load)
-        self.complaint(wm3d.ParameterError, "parameter", __file__, "text", function=wm3d.read)
+        self.complaint(wm3d.InputError, "malformed_input", __file__, function=wm3d.Key.load)
+        self.complaint(wm3d.ParameterError, "bad_parameter", __file__, "text", function=wm3d.read)
 
 
 class Patience(unittest.TestCase):

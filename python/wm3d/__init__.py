@@ -10,7 +10,7 @@
 
 Meshes are two arrays: V of shape (n, 3), real numbers, and F of shape (m, 3), numbers of rows of V. Long calls release the
 interpreter's lock, call `progress(stage, done)` with `done` from 0 to 1 now and then, and can be interrupted.
-Errors are wm3d.Error and its kinds, each with a sentence and a stable `code`.
+Errors are wm3d.Error and its kinds, each with a sentence and a stable `code`, "bad_parameter" and the like.
 """
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Report:
     hypotheses: int  # that were tried, each of them paid for in log10_p
     bound: bool  # log10_p is a guaranteed bound, not an estimate
     sigmas: float  # score of the best hypothesis, in standard deviations under random keys
-    doubt: Literal["none", "power", "alignment", "opening"]  # why the verdict is inconclusive
+    doubt: Literal["none", "power", "alignment", "opening", "axes"]  # why the verdict is inconclusive
     level: int
     pose: str
     base_vertices: int
