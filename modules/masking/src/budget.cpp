@@ -20,14 +20,6 @@ metrics::Msdm2Options sampled(std::size_t most_windows) {
     return options;
 }
 
-std::vector<Vec3> moved(const TriangleMesh& mesh, const Carriers& carriers, std::span<const double> moves,
-                        double factor) {
-    std::vector<Vec3> positions = mesh.positions;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        positions[i] += factor * moves[i] * carriers.normals()[i];
-    return positions;
-}
-
 } // namespace
 
 Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options)
@@ -83,24 +75,19 @@ void Budget::confirm(Fit& fit, const MarkOfStrength& mark, double budget) const 
     fit.reached = fit.msdm2 <= budget;
 }
 
-void Budget::equalize(Carriers& carriers, const sphere::SparseRows& rows, std::span<const double> w,
-                      double budget, double guess) const {
+void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
     constexpr int most_trials = 3;
     constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
-    const std::vector<double> moves = carriers.moves(rows, w);
-    const double rms = carriers.rms(moves);
-    if (!(rms > 0))
-        return;
-    double factor = guess / rms;
-    for (int trial = 1;; ++trial) {
-        const std::vector<double> seen =
-            msdm2_.field({moved(mesh_, carriers, moves, factor), mesh_.triangles});
-        const double msdm2 = metrics::msdm2_mean(mesh_, seen);
+    double strength = guess;
+    for (int k = 1;; ++k) {
+        const TriangleMesh marked{trial(strength), mesh_.triangles};
+        const std::vector<double> seen = msdm2_.field(marked);
+        const double msdm2 = metrics::msdm2_mean(marked, seen);
         if (!(msdm2 > nothing))
             return;
-        if (trial == most_trials || std::abs(msdm2 / budget - 1) <= near)
+        if (k == most_trials || std::abs(msdm2 / budget - 1) <= near)
             return carriers.equalize(seen, msdm2);
-        factor *= std::pow(budget / msdm2, 1 / usual_slope);
+        strength *= std::pow(budget / msdm2, 1 / usual_slope);
     }
 }
 

@@ -114,7 +114,7 @@ const Marker::Base& Marker::base() const {
 const masking::Budget& Marker::budget() const {
     const std::lock_guard lock(made_->guard);
     if (!made_->budget)
-        made_->budget = std::make_unique<masking::Budget>(canonical_);
+        made_->budget = std::make_unique<masking::Budget>(mesh_);
     return *made_->budget;
 }
 
@@ -125,9 +125,13 @@ const Marker::Carried& Marker::carried(unsigned level) const {
         return found->second;
     Carried fresh{sphere::barycentric_rows(sphere::Icosphere(level), canonical_.positions),
                   masking::Carriers(canonical_)};
-    const std::vector<double> trial = key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1);
-    seen.equalize(fresh.carriers, fresh.rows, trial, default_visibility,
-                  first_strength / 100 * diagonal_ / frame_.scale);
+    const std::vector<double> moves = fresh.carriers.moves(
+        fresh.rows, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1));
+    if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0)
+        seen.equalize(
+            fresh.carriers,
+            [&](double strength) { return in_file(moved(fresh.carriers, moves, strength / rms)); },
+            default_visibility, first_strength);
     return made_->carried.emplace(level, std::move(fresh)).first->second;
 }
 
@@ -140,10 +144,27 @@ const masking::Carriers& Marker::carriers(unsigned level) const {
 }
 
 double Marker::visible(const std::vector<Vec3>& positions) const {
-    std::vector<Vec3> canonical(positions.size());
-    std::ranges::transform(positions, canonical.begin(),
-                           [&](const Vec3& p) { return frame_.to_canonical(p); });
-    return budget().visible(canonical);
+    return budget().visible(positions);
+}
+
+double Marker::percent_of_diagonal(double radii) const {
+    return 100 * radii * frame_.scale / diagonal_;
+}
+
+std::vector<Vec3> Marker::in_file(std::span<const Vec3> moved) const {
+    std::vector<Vec3> positions = mesh_.positions;
+    for (std::size_t i = 0; i < moved.size(); ++i)
+        if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
+            positions[i] = frame_.from_canonical(moved[i]);
+    return positions;
+}
+
+std::vector<Vec3> Marker::moved(const masking::Carriers& carriers, std::span<const double> moves,
+                                double factor) const {
+    std::vector<Vec3> positions = canonical_.positions;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        positions[i] += factor * moves[i] * carriers.normals()[i];
+    return positions;
 }
 
 namespace {
@@ -170,17 +191,12 @@ struct Marker::Layout {
 
 Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
     const Carried& with = carried(level);
-    const double percent_of_diagonal = 100 * frame_.scale / diagonal_;
     const std::vector<double> moves = with.carriers.moves(with.rows, w);
-    const double rms = with.carriers.rms(moves) * percent_of_diagonal;
+    const double rms = percent_of_diagonal(with.carriers.rms(moves));
     require_move(rms);
-    return {[this, &with, moves, rms](double strength) {
-                std::vector<Vec3> moved = canonical_.positions;
-                for (std::size_t i = 0; i < moved.size(); ++i)
-                    moved[i] += strength / rms * moves[i] * with.carriers.normals()[i];
-                return moved;
-            },
-            with.carriers.rms(with.carriers.bumps(with.rows, w)) * percent_of_diagonal};
+    return {
+        [this, &with, moves, rms](double strength) { return moved(with.carriers, moves, strength / rms); },
+        percent_of_diagonal(with.carriers.rms(with.carriers.bumps(with.rows, w)))};
 }
 
 Marker::Layout Marker::bumpy(std::span<const double> w, unsigned level) const {
@@ -228,7 +244,7 @@ Marker::Layout Marker::layout(std::span<const double> w, Profile profile, unsign
 }
 
 double Marker::normal_rms(std::span<const Vec3> moved) const {
-    return 100 * embed::distortion(canonical_, moved).normal_rms * frame_.scale / diagonal_;
+    return percent_of_diagonal(embed::distortion(canonical_, moved).normal_rms);
 }
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
@@ -248,7 +264,8 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     const Layout layout = this->layout(w, marked.profile, setting.level);
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {
-        const masking::Fit fit = budget().fit(layout.positions, *setting.visibility, first_strength);
+        const masking::Fit fit = budget().fit([&](double trial) { return in_file(layout.positions(trial)); },
+                                              *setting.visibility, first_strength);
         if (!(fit.strength > 0))
             throw GeometryError(
                 fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
@@ -262,11 +279,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.gamma = strength / layout.unit;
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
-    const std::vector<Vec3> moved = layout.positions(strength);
-    marked.positions = mesh_.positions;
-    for (std::size_t i = 0; i < moved.size(); ++i)
-        if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
-            marked.positions[i] = frame_.from_canonical(moved[i]);
+    marked.positions = in_file(layout.positions(strength));
     marked.distortion = embed::distortion(mesh_, marked.positions);
     return marked;
 }

@@ -35,7 +35,8 @@ struct BudgetOptions {
 /// The one-sided MSDM2 of marks from the mesh they are for.
 class Budget {
 public:
-    /// \param mesh  has to outlive the object
+    /// \param mesh  in the coordinates of its file, on whose axes MSDM2's unit of length depends; has to
+    /// outlive the object
     /// \throw GeometryError  if the mesh has no triangle with an area
     explicit Budget(const TriangleMesh& mesh, const BudgetOptions& options = {});
 
@@ -47,11 +48,10 @@ public:
     /// \param guess  strength to begin with, > 0
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
-    /// Weighs the carriers' mask by what a mark of `w` shows: `Carriers::equalize`. The sequence is not to be
-    /// the key's, so that the mask tells nothing of it and the same mask serves any.
-    /// \param guess  root mean square of the trial mark, in units of the mesh
-    void equalize(Carriers& carriers, const sphere::SparseRows& rows, std::span<const double> w,
-                  double budget, double guess) const;
+    /// Weighs the carriers' mask by what a trial mark shows: `Carriers::equalize`. The trial's sequence is
+    /// not to be the key's, so that the mask tells nothing of it and the same mask serves any. \param trial
+    /// its positions of a strength \param guess  strength to begin with, > 0
+    void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:
     double estimate(const std::vector<Vec3>& positions) const;

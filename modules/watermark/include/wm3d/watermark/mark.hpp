@@ -99,6 +99,10 @@ private:
     Layout bumpy(std::span<const double> w, unsigned level) const;
     Layout layout(std::span<const double> w, Profile profile, unsigned level) const;
     double normal_rms(std::span<const Vec3> moved) const; ///< of the full canonical mesh, % of the diagonal
+    double percent_of_diagonal(double radii) const;
+    std::vector<Vec3> in_file(std::span<const Vec3> moved) const; ///< in the coordinates of the mesh
+    std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
+                            double factor) const; ///< the canonical mesh
 
     const TriangleMesh& mesh_;
     std::size_t vertices_;
