@@ -15,6 +15,9 @@ import unittest
 
 import mesh_bytes
 
+# No mark that a budget of visibility of 0.10 leaves on these is found again: their own edges drown it.
+BY_STRENGTH = {"thing-73416.stl", "DamagedHelmet.glb"}
+
 
 class RoundTrip(unittest.TestCase):
     wm3d = None
@@ -31,8 +34,10 @@ class RoundTrip(unittest.TestCase):
         cls.marked = cls.folder / f"marked{cls.mesh.suffix}"
         for name in ("owner", "stranger"):
             cls.wm3d_does("keygen", "-q", cls.folder / f"{name}.key")
+        by_strength = cls.mesh.name in BY_STRENGTH
+        cls.size = ("--profile", "robust", "--strength", "0.075") if by_strength else ()
         cls.report = json.loads(cls.wm3d_does("mark", cls.mesh, "-o", cls.marked, "--key", cls.folder / "owner.key",
-                                        "--json", "--threads", "2"))
+                                        "--json", "--threads", "2", *cls.size))
 
     @classmethod
     def attempt(cls, *arguments):
@@ -46,7 +51,8 @@ class RoundTrip(unittest.TestCase):
         return done.stdout
 
     def verify(self, suspect, key):
-        done = self.attempt("verify", suspect, "--key", self.folder / f"{key}.key", "--json")
+        # By its own axes: the search of all poses takes minutes on what is open, and has tests of its own.
+        done = self.attempt("verify", suspect, "--key", self.folder / f"{key}.key", "--resync", "pca", "--json")
         return done.returncode, json.loads(done.stdout) if done.stdout else done.stderr
 
     def test_the_mark_is_found_with_its_key(self):
@@ -58,7 +64,10 @@ class RoundTrip(unittest.TestCase):
     def check_no_mark(self, suspect, key):
         status, report = self.verify(suspect, key)
         if report["largest_opening_percent"] > 0.6:  # the helmet's neck might be a cut
-            self.assertEqual((status, report["verdict"], report["reason"]), (3, "inconclusive", "opening"))
+            self.assertEqual((status, report["verdict"]), (3, "inconclusive"), report)
+            self.assertIn(report["reason"], ("opening", "power"))
+        elif self.size:  # a usual mark might be missed here
+            self.assertIn((status, report["verdict"]), ((1, "absent"), (3, "inconclusive")), report)
         else:
             self.assertEqual((status, report["verdict"]), (1, "absent"), report)
 
@@ -83,12 +92,16 @@ class RoundTrip(unittest.TestCase):
             self.assertEqual(place.setdefault(old, new), new, f"the seam at {old} opened")
 
     def test_the_move_is_as_small_as_asked_for(self):
-        self.assertAlmostEqual(self.report["rms_percent"], 0.05, delta=0.005)
+        if self.size:
+            self.assertAlmostEqual(self.report["rms_percent"], 0.075, delta=0.0075)
+        else:
+            self.assertLessEqual(self.report["msdm2"], 0.10)
         self.assertLess(self.report["max_percent"], 1)
 
     def test_the_bytes_do_not_depend_on_the_number_of_threads(self):
         again = self.folder / f"again{self.mesh.suffix}"
-        self.wm3d_does("mark", self.mesh, "-o", again, "--key", self.folder / "owner.key", "-q", "--threads", "1")
+        self.wm3d_does("mark", self.mesh, "-o", again, "--key", self.folder / "owner.key", "-q", "--threads", "1",
+                       *self.size)
         self.assertTrue(again.read_bytes() == self.marked.read_bytes(), "one and two threads give different bytes")
 
 

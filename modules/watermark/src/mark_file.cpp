@@ -41,6 +41,7 @@ bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOp
                      const std::vector<Vec3>& positions) {
     VerifyOptions check;
     check.pf = options.pf;
+    check.search = SearchUse::never; // a few sizes are tried, and each search may take minutes
     return verify({positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
 }
 
