@@ -99,7 +99,7 @@ endif()
 
 if(WM3D_RESYNC AND "resync" IN_LIST WM3D_MODULES)
     find_package(Ceres 2.1 REQUIRED)
-    wm3d_third_party(ceres LINK Ceres::ceres FIND "find_dependency(Ceres 2.1)" LIBS -lceres)
+    wm3d_third_party(ceres LINK Ceres::ceres FIND "find_dependency(Ceres 2.1)" LIBS -lceres -lglog)
     find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp REQUIRED)
     wm3d_third_party(nanoflann)
     target_include_directories(wm3d_third_nanoflann SYSTEM INTERFACE ${NANOFLANN_INCLUDE_DIR})
