@@ -275,6 +275,57 @@ class Anywhere(InFolder):
         counted(f"{len(names)} odd names of files and folders")
 
 
+class Absurd(InFolder):
+    """Sizes that are only declared, numbers of any magnitude, maps far from their origin."""
+
+    def test_declared_sizes(self):
+        count = 4294967295
+        ply = ("ply\nformat binary_little_endian 1.0\nelement vertex {0}\nproperty float x\nproperty float y\nproperty float z\n"
+               "element face {0}\nproperty list uchar int vertex_indices\nend_header\n").format(count).encode()
+        files = {"big.ply": ply + bytes(40), "big.off": f"OFF\n{count} {count} 0\n0 0 0\n".encode(),
+                 "big.stl": bytes(80) + b"\xff" * 4 + bytes(50),
+                 "cycle.gltf": b'{"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],'
+                               b'"nodes":[{"children":[1]},{"children":[0]}],"meshes":[]}'}
+
+        def little_memory():
+            resource.setrlimit(resource.RLIMIT_AS, (1 << 30, 1 << 30))
+        for name, data in files.items():
+            (self.folder / name).write_bytes(data)
+            done = wm3d("info", self.folder / name, "--threads", "1", preexec_fn=little_memory, timeout=20)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count(b"\n"), 1, done.stderr)
+            self.assertNotIn(b"memory", done.stderr)
+        counted(f"{len(files)} files of at most 300 bytes that declare or nest without end, refused within 1 GiB")
+
+    def scaled(self, name, change):
+        path = self.folder / f"{name}.obj"
+        with path.open("w") as out:
+            for line in self.source.open():
+                if line.startswith("v "):
+                    line = "v {!r} {!r} {!r}\n".format(*(change(float(word)) for word in line.split()[1:4]))
+                out.write(line)
+        return path
+
+    def test_numbers_of_any_magnitude(self):
+        self.source, owner = self.sample(20000, "obj"), self.key()
+        found = {}
+        for name, change in {"1e-30": lambda x: x * 1e-30, "1": lambda x: x, "1e30": lambda x: x * 1e30,
+                             "6,000 km away": lambda x: x * 0.3 + 6e6}.items():
+            model, marked = self.scaled(name.split()[0], change), self.folder / "marked.obj"
+            done = wm3d("mark", model, "-o", marked, "--key", owner, "--strength", "0.1", "--overwrite")
+            self.assertEqual(done.returncode, 0, (name, done.stderr))
+            done = wm3d("verify", marked, "--key", owner, "--effort", "0", "--json")
+            self.assertEqual(done.returncode, 0, (name, done.stderr))
+            found[name] = json.loads(done.stdout)["log10_p"]
+        for name, log10_p in found.items():
+            self.assertLess(abs(log10_p - found["1"]), 0.1 * abs(found["1"]), found)
+        for factor in (1e-300, 1e-150, 1e150, 1e300):
+            done = wm3d("mark", self.scaled("beyond", lambda x: x * factor), "-o", self.folder / "x.obj", "--key", owner)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stderr.count(b"\n"), 1, done.stderr)
+        counted(f"log10 p by magnitude: {found}; 4 magnitudes beyond 1e150 refused")
+
+
 class Commitments(InFolder):
     def test_a_commitment_is_dated_and_checked_with_other_tools(self):
         source, owner = self.sample(4000), self.folder / "owner.key"
