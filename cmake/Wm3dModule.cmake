@@ -11,6 +11,7 @@ if(WM3D_TESTS)
     add_library(wm3d_doctest_main STATIC ${CMAKE_BINARY_DIR}/doctest_main.cpp)
     target_link_libraries(wm3d_doctest_main PUBLIC wm3d::third::doctest)
     target_compile_features(wm3d_doctest_main PUBLIC cxx_std_20)
+    target_include_directories(wm3d_doctest_main PUBLIC ${PROJECT_SOURCE_DIR}/tests/support) # what tests share
 endif()
 
 # wm3d_test(NAME SRCS ... LINK ...): a doctest executable whose cases are separate CTest tests.

@@ -11,13 +11,15 @@
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/verify.hpp>
 
+#include "fixed_key.hpp"
+
 using namespace wm3d;
 using namespace wm3d::watermark;
 
 namespace {
 
 const key::Key& test_key() {
-    static const key::Key key = key::Key::generate("test");
+    static const key::Key key = fixed_key();
     return key;
 }
 
