@@ -124,6 +124,7 @@ ordered_json settings_of(const study::BenchSetting& setting) {
             {"seed", setting.seed},
             {"sizes", sizes},
             {"wrong_keys", setting.wrong_keys},
+            {"effort", setting.search_effort},
             {"vertices", setting.vertices},
             {"profile", name_of(setting.profile)},
             {"levels", setting.parameters.levels},
@@ -273,6 +274,8 @@ std::string command_line(const BenchArguments& arguments) {
         text += fmt::format(" --vertices {}", arguments.setting.vertices);
     if (arguments.profile)
         text += " --profile " + name_of(*arguments.profile);
+    if (arguments.setting.search_effort != study::BenchSetting{}.search_effort)
+        text += fmt::format(" --effort {}", arguments.setting.search_effort);
     if (arguments.setting.assisted)
         text += " --reference";
     return text +
@@ -403,6 +406,11 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
             std::map<std::string, watermark::Profile>{{"masked", watermark::Profile::masked},
                                                       {"robust", watermark::Profile::robust},
                                                       {"paper", watermark::Profile::paper}}));
+    app.add_option(
+           "--effort", arguments.setting.search_effort,
+           "Of the search in all poses where a quick look finds nothing, as of `verify`; 0: none [0.2]")
+        ->option_text("E")
+        ->check(number_between(0, 1000));
     app.add_flag("--reference", arguments.setting.assisted,
                  "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");

@@ -15,6 +15,7 @@
 #include <wm3d/study/bench_log.hpp>
 #include <wm3d/watermark/alignment.hpp>
 #include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/search_suspect.hpp>
 
 namespace wm3d::study {
 
@@ -27,6 +28,10 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& text) {
         hash.add(c);
     return attack::RandomStream(seed, hash.value()).word(0);
 }
+
+/// What is asked of a search, and above which the quick look calls for one. Not the probability that the
+/// tables ask for, so that they can be made anew for another.
+constexpr double log10_searched_pf = -9;
 
 /// One model with what all of its marks share.
 class ModelBench {
@@ -77,6 +82,8 @@ public:
 private:
     TriangleMesh limited_mark(const MarkName& name, BenchMark& figures) const;
     void score_wrong_keys(BenchItem& item, const ItemName& name, const watermark::Examination& suspect) const;
+    void search(BenchItem& item, const watermark::Suspect& suspect, const watermark::Examination& seen,
+                watermark::Sequences& sequences) const;
     AssistedResult assisted(const watermark::Suspect& suspect, const key::Secret& secret) const;
 
     const TriangleMesh& mesh_;
@@ -141,6 +148,30 @@ AssistedResult ModelBench::assisted(const watermark::Suspect& suspect, const key
             reference.difference.covered};
 }
 
+void tell(BenchItem& item, const watermark::Examination& examination, const detect::FamilyScore& score) {
+    const detect::Hypothesis& best = examination.family()[score.best.hypothesis];
+    const detect::Filter& filter = examination.evidence(best.pose).filter(best.filter);
+    item.log10_p = score.log10_p;
+    item.sigmas = score.best.sigmas;
+    item.hypotheses = score.hypotheses;
+    item.level = best.level;
+    item.pose = best.pose;
+    item.filter_t = filter.t;
+    item.filter_power = filter.power;
+}
+
+/// As verify goes on where the quick look found nothing.
+void ModelBench::search(BenchItem& item, const watermark::Suspect& suspect,
+                        const watermark::Examination& seen, watermark::Sequences& sequences) const {
+    watermark::SearchEffort effort;
+    effort.effort = setting_.search_effort;
+    const watermark::SearchResult found = watermark::search_suspect(
+        suspect, seen, sequences, effort, watermark::usual_strength, log10_searched_pf);
+    item.searched = SearchedResult{found.hit.has_value(), found.report.centres};
+    if (found.hit)
+        tell(item, *found.hit->examination, found.hit->score);
+}
+
 BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) const {
     const auto begin = std::chrono::steady_clock::now();
     AttackChain chain = attack::parse_chain(name.attack);
@@ -153,18 +184,14 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
         suspect, watermark::examination_options(setting_.parameters, setting_.vertices));
     const key::Secret secret = key::null_secret(setting_.seed, name.mark.key);
     watermark::Sequences sequences(secret, setting_.parameters.rmax);
-    const detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
-    const detect::Hypothesis& best = examination.family()[score.best.hypothesis];
 
     BenchItem item;
-    item.log10_p = score.log10_p;
-    item.sigmas = score.best.sigmas;
-    item.hypotheses = score.hypotheses;
-    item.level = best.level;
-    item.pose = best.pose;
-    const detect::Filter& filter = examination.evidence(best.pose).filter(best.filter);
-    item.filter_t = filter.t;
-    item.filter_power = filter.power;
+    detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
+    if (setting_.search_effort > 0)
+        score.log10_p = std::min(0.0, score.log10_p - std::log10(1 - watermark::search_share));
+    tell(item, examination, score);
+    if (setting_.search_effort > 0 && score.log10_p > log10_searched_pf)
+        search(item, suspect, examination, sequences);
     item.vertices = mesh.positions.size();
     score_wrong_keys(item, name, examination);
     if (setting_.assisted)

@@ -112,6 +112,8 @@ ordered_json to_json(const ItemName& name, const BenchItem& item) {
                  {"vertices", item.vertices},
                  {"wrong_log10_p", item.wrong},
                  {"wrong_one_log10_p", item.wrong_one}});
+    if (item.searched)
+        json["searched"] = {{"found", item.searched->found}, {"centres", item.searched->centres}};
     if (item.assisted)
         json["assisted"] = {{"log10_p", item.assisted->log10_p},
                             {"aligned", item.assisted->aligned},
@@ -142,6 +144,9 @@ BenchItem item_of(const ordered_json& json) {
     item.vertices = json.at("vertices").get<std::size_t>();
     item.wrong = numbers(json.at("wrong_log10_p"));
     item.wrong_one = numbers(json.at("wrong_one_log10_p"));
+    if (const auto found = json.find("searched"); found != json.end())
+        item.searched =
+            SearchedResult{found->at("found").get<bool>(), found->at("centres").get<std::size_t>()};
     if (const auto found = json.find("assisted"); found != json.end())
         item.assisted = AssistedResult{number(found->at("log10_p")), found->at("aligned").get<bool>(),
                                        found->at("coverage").get<double>()};

@@ -89,6 +89,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     BenchItem item = found(-12.5);
     item.wrong = {-0.25, -1};
     item.assisted = AssistedResult{-40, true, 0.5};
+    item.searched = SearchedResult{true, 96};
     {
         BenchLog log(file.path, settings);
         log.add_command("wm3d bench");
@@ -110,6 +111,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
         CHECK(back.items.at(name).log10_p == -12.5);
         CHECK(back.items.at(name).wrong == item.wrong);
         CHECK(back.items.at(name).assisted->coverage == 0.5);
+        CHECK(back.items.at(name).searched->centres == 96);
         CHECK_THROWS_WITH_AS(log.add("a.obj", {"4567", 10, 20, ""}), doctest::Contains("another mesh"),
                              InputError);
     }
@@ -127,6 +129,7 @@ TEST_CASE("results are the same at any number of threads, and only what lacks is
     setting.attacks = {attack::parse_chain("noise:0.1"), attack::parse_chain("cropping:10+flips:20")};
     setting.keys = 2;
     setting.wrong_keys = 3;
+    setting.search_effort = 0.004;
     const auto bench = [&](std::size_t threads, std::size_t expected) {
         const TemporaryFile file;
         const ThreadLimit limit(threads);
@@ -152,6 +155,7 @@ TEST_CASE("results are the same at any number of threads, and only what lacks is
         CHECK(item.log10_p == many.items.at(name).log10_p);
         CHECK(item.wrong == many.items.at(name).wrong);
         CHECK(item.wrong.size() == 3);
+        CHECK(item.searched.has_value() == name.attack.starts_with("cropping"));
     }
     for (const auto& [name, mark] : one.marks) {
         CHECK(mark.mrms <= 0.2);

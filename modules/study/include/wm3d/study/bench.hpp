@@ -24,6 +24,9 @@ struct BenchSetting {
     std::size_t wrong_keys = 20; ///< scored on every attacked copy
     std::uint64_t seed = 1;      ///< of keys and attacks
     bool assisted = false;       ///< also examine with the original at hand
+    /// Of the search in all poses that follows where the quick look's p is above 1e-9, as of `verify
+    /// --effort`: half a minute of one core at most. 0: the quick look alone.
+    double search_effort = 0.2;
     std::size_t vertices = watermark::default_vertices;
     watermark::Profile profile = watermark::Profile::robust;
     key::PublicParameters parameters{}; ///< of every key

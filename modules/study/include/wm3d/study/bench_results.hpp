@@ -73,6 +73,12 @@ struct AssistedResult {
     double coverage = 0; ///< part of the original that has a counterpart in the suspect
 };
 
+/// What a search in all poses took, after a quick look that found nothing.
+struct SearchedResult {
+    bool found = false;
+    std::size_t centres = 0; ///< pairs of a centre and a sequence that were tried in all rotations
+};
+
 /// What is found in an attacked copy that was moved, turned and scaled at random.
 struct BenchItem {
     double log10_p = 0; ///< family-wise, as verify's
@@ -85,6 +91,7 @@ struct BenchItem {
     std::vector<double> wrong; ///< log10 p of wrong keys, family-wise
     std::vector<double>
         wrong_one; ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
+    std::optional<SearchedResult> searched;
     std::optional<AssistedResult> assisted;
     double seconds = 0;
     std::string error; ///< why there is nothing to examine; else empty
