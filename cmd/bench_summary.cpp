@@ -65,14 +65,16 @@ std::string attack_table(const BenchTable& table, const std::vector<std::vector<
 }
 
 std::string marks_table(const BenchTable& table) {
-    report::Table text{{"model", "vertices", "strength, %", "MRMS, %", "largest", "MSDM2", "largest"}, {}};
+    report::Table text{
+        {"model", "vertices", "strength, %", "MRMS, %", "largest", "MSDM2", "largest", "both sides"}, {}};
     const std::vector<std::string> names = model_headings(table.models);
     for (std::size_t m = 0; m < names.size(); ++m) {
         const BenchMarkRow& row = table.marks[m];
-        text.rows.push_back({names[m], fmt::format("{}", row.vertices),
-                             fmt::format("{:.4f}", row.mean_strength), fmt::format("{:.4f}", row.mean_mrms),
-                             fmt::format("{:.4f}", row.largest_mrms), fmt::format("{:.3f}", row.mean_msdm2),
-                             fmt::format("{:.3f}", row.largest_msdm2)});
+        text.rows.push_back(
+            {names[m], fmt::format("{}", row.vertices), fmt::format("{:.4f}", row.mean_strength),
+             fmt::format("{:.4f}", row.mean_mrms), fmt::format("{:.4f}", row.largest_mrms),
+             fmt::format("{:.3f}", row.mean_msdm2), fmt::format("{:.3f}", row.largest_msdm2),
+             std::isnan(row.mean_msdm2_both) ? "" : fmt::format("{:.3f}", row.mean_msdm2_both)});
     }
     return report::to_markdown(text);
 }

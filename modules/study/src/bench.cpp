@@ -74,6 +74,7 @@ public:
         const metrics::Report report = metrics::compare(mesh_, result);
         figures.mrms = report.percent(report.mrms);
         figures.msdm2 = report.msdm2.value_or(0);
+        figures.msdm2_both = report.msdm2_both;
         return result;
     }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
 
 #include <boost/math/distributions/binomial.hpp>
@@ -78,10 +79,11 @@ BenchMarkRow mark_row(const BenchResults& results, const std::string& model, con
         row.mean_strength += mark.strength;
         row.mean_mrms += mark.mrms;
         row.mean_msdm2 += mark.msdm2;
+        row.mean_msdm2_both += mark.msdm2_both.value_or(std::numeric_limits<double>::quiet_NaN());
         row.largest_mrms = std::max(row.largest_mrms, mark.mrms);
         row.largest_msdm2 = std::max(row.largest_msdm2, mark.msdm2);
     }
-    for (double* mean : {&row.mean_strength, &row.mean_mrms, &row.mean_msdm2})
+    for (double* mean : {&row.mean_strength, &row.mean_mrms, &row.mean_msdm2, &row.mean_msdm2_both})
         *mean /= static_cast<double>(std::max<std::size_t>(row.keys, 1));
     return row;
 }

@@ -80,6 +80,8 @@ ordered_json to_json(const MarkName& name, const BenchMark& mark) {
                      {"rms_percent", mark.normal_rms},
                      {"mrms_percent", mark.mrms},
                      {"msdm2", mark.msdm2}});
+    if (mark.msdm2_both)
+        json["msdm2_both"] = *mark.msdm2_both;
     return json;
 }
 
@@ -93,6 +95,8 @@ BenchMark mark_of(const ordered_json& json) {
     mark.normal_rms = json.at("rms_percent").get<double>();
     mark.mrms = json.at("mrms_percent").get<double>();
     mark.msdm2 = number(json.at("msdm2"));
+    if (json.contains("msdm2_both"))
+        mark.msdm2_both = number(json.at("msdm2_both"));
     return mark;
 }
 

@@ -96,7 +96,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
         log.add_command("wm3d bench");
         log.add("a.obj", {"0123", 10, 20, ""});
         log.add("a.obj", {"0123", 10, 20, ""});
-        log.add(name.mark, {0.02, 0.03, 0.02, 0.019, NAN, ""});
+        log.add(name.mark, {0.02, 0.03, 0.02, 0.019, NAN, 0.11, ""});
         log.add(name, item);
     }
     const auto whole = std::filesystem::file_size(file.path);
@@ -108,6 +108,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
         CHECK(back.models.at("a.obj").triangles == 20);
         CHECK(back.marks.at(name.mark).mrms == 0.019);
         CHECK(std::isnan(back.marks.at(name.mark).msdm2));
+        CHECK(back.marks.at(name.mark).msdm2_both == 0.11);
         CHECK(back.items.at(name).log10_p == -12.5);
         CHECK(back.items.at(name).wrong == item.wrong);
         CHECK(back.items.at(name).assisted->coverage == 0.5);

@@ -24,6 +24,7 @@ struct BenchMarkRow {
     std::size_t vertices = 0;
     std::size_t keys = 0;
     double mean_strength = 0, mean_mrms = 0, largest_mrms = 0, mean_msdm2 = 0, largest_msdm2 = 0;
+    double mean_msdm2_both = 0; ///< NaN where a mark of the log lacks it
 };
 
 /// All marks of one size.

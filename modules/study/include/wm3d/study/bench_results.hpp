@@ -54,8 +54,9 @@ struct BenchMark {
     double gamma = 0;
     double normal_rms = 0;
     double mrms = 0;
-    double msdm2 = 0;
-    std::string error; ///< why the mesh can't be marked; else empty
+    double msdm2 = 0;                 ///< one-sided, of the marked mesh against the mesh
+    std::optional<double> msdm2_both; ///< mean of both sides; logs of version 0.1 lack it
+    std::string error;                ///< why the mesh can't be marked; else empty
 };
 
 /// Which attack on which mark.
