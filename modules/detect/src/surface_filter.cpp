@@ -2,74 +2,119 @@
 #include <wm3d/detect/surface_filter.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
+
+#include "diffusion.hpp"
 
 namespace wm3d::detect {
 
 namespace {
 
-using Sparse = Eigen::SparseMatrix<double>;
-using Vector = Eigen::VectorXd;
-using ConstMap = Eigen::Map<const Vector>;
-
 /// Half cotangents outside this range come from slivers and would only spoil the condition of the system.
 constexpr double least_weight = 1e-6, most_weight = 50;
-
-Sparse cotangent_laplacian(const TriangleMesh& mesh) {
-    std::vector<Eigen::Triplet<double>> triplets;
-    triplets.reserve(mesh.triangles.size() * 12);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
-        for (int k = 0; k < 3; ++k) {
-            const Index apex = mesh.triangles[f][k], i = mesh.triangles[f][(k + 1) % 3],
-                        j = mesh.triangles[f][(k + 2) % 3];
-            const Vec3 a = mesh.positions[i] - mesh.positions[apex],
-                       b = mesh.positions[j] - mesh.positions[apex];
-            const double weight = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
-            triplets.emplace_back(i, i, weight);
-            triplets.emplace_back(j, j, weight);
-            triplets.emplace_back(i, j, -weight);
-            triplets.emplace_back(j, i, -weight);
-        }
-    }
-    const auto n = static_cast<Eigen::Index>(mesh.positions.size());
-    Sparse laplacian(n, n);
-    laplacian.setFromTriplets(triplets.begin(), triplets.end());
-    return laplacian;
-}
 
 /// Residual of the solver, relative to the right-hand side. A mark moves a vertex by a thousandth of the mean
 /// radius; an error of the filter can cost a little power but never a wrong probability, which is exact for
 /// any coefficients.
 constexpr double tolerance = 3e-6;
+constexpr int most_steps = 1000;
 
-using Solver =
-    Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper, Eigen::DiagonalPreconditioner<double>>;
+/// Half the cotangents of a triangle's angles, each the weight of the edge across.
+std::array<double, 3> half_cotangents(const TriangleMesh& mesh, std::size_t f) {
+    const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
+    std::array<double, 3> weights;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3& apex = mesh.positions[mesh.triangles[f][k]];
+        const Vec3 a = mesh.positions[mesh.triangles[f][(k + 1) % 3]] - apex,
+                   b = mesh.positions[mesh.triangles[f][(k + 2) % 3]] - apex;
+        weights[k] = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
+    }
+    return weights;
+}
+
+struct Entry {
+    Index column;
+    double value;
+};
+
+/// One entry for each triangle at each edge, row by row: `start` has #rows + 1 numbers.
+std::vector<Entry> edge_entries(const TriangleMesh& mesh, std::vector<Index>& start) {
+    start.assign(mesh.positions.size() + 1, 0);
+    for (const Triangle& triangle : mesh.triangles)
+        for (Index v : triangle)
+            start[v + 1] += 2;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        start[v + 1] += start[v];
+    std::vector<Entry> entries(start.back());
+    std::vector<Index> next(start.begin(), start.end() - 1);
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const std::array<double, 3> weights = half_cotangents(mesh, f);
+        for (int k = 0; k < 3; ++k) {
+            const Index i = mesh.triangles[f][(k + 1) % 3], j = mesh.triangles[f][(k + 2) % 3];
+            entries[next[i]++] = {j, -weights[k]};
+            entries[next[j]++] = {i, -weights[k]};
+        }
+    }
+    return entries;
+}
+
+SymmetricRows cotangent_laplacian(const TriangleMesh& mesh) {
+    std::vector<Index> start;
+    std::vector<Entry> entries = edge_entries(mesh, start);
+    SymmetricRows rows;
+    rows.diagonal.assign(mesh.positions.size(), 0.0);
+    rows.start.assign(1, 0);
+    rows.start.reserve(start.size());
+    rows.column.reserve(entries.size() / 2);
+    rows.value.reserve(entries.size() / 2);
+    for (std::size_t v = 0; v < rows.diagonal.size(); ++v) {
+        const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
+        std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.column < b.column; });
+        const std::size_t first = rows.column.size();
+        for (auto entry = begin; entry != end; ++entry) {
+            rows.diagonal[v] -= entry->value;
+            if (rows.column.size() > first && rows.column.back() == entry->column) {
+                rows.value.back() += entry->value;
+            } else {
+                rows.column.push_back(entry->column);
+                rows.value.push_back(entry->value);
+            }
+        }
+        rows.start.push_back(static_cast<Index>(rows.column.size()));
+    }
+    return rows;
+}
+
+/// (M + tL)^-1 M x for K vectors.
+template<std::size_t K>
+void low_pass_together(const Diffusion& system, std::span<const std::vector<double>> vectors,
+                       std::span<std::vector<double>> smooth) {
+    const std::size_t n = system.mass.size();
+    Together<K> y(n), x(n);
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t k = 0; k < K; ++k) {
+            x[i][k] = vectors[k][i]; // a surface is close to its own low pass, so it is the first guess
+            y[i][k] = system.mass[i] * x[i][k];
+        }
+    solve(system, y, x, tolerance, most_steps);
+    for (std::size_t k = 0; k < K; ++k) {
+        smooth[k].resize(n);
+        for (std::size_t i = 0; i < n; ++i)
+            smooth[k][i] = x[i][k];
+    }
+}
 
 } // namespace
 
 struct SurfaceFilter::Operators {
     std::vector<double> mass;
-    Sparse laplacian;
+    SymmetricRows laplacian;
 
-    Sparse system(double t) const {
-        Sparse a = t * laplacian;
-        for (Eigen::Index i = 0; i < a.cols(); ++i)
-            a.coeffRef(i, i) += mass[static_cast<std::size_t>(i)];
-        return a;
-    }
-
-    static void prepare(Solver& solver, const Sparse& a) {
-        solver.setTolerance(tolerance);
-        solver.setMaxIterations(1000);
-        solver.compute(a);
-    }
+    Diffusion system(double t) const { return {mass, laplacian, t}; }
 };
 
 SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_unique<Operators>()) {
@@ -81,10 +126,6 @@ SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_un
     for (double& m : operators_->mass)
         m = std::max(m, least);
     operators_->laplacian = cotangent_laplacian(mesh);
-    // Every vertex has a diagonal entry, also the isolated ones.
-    for (Eigen::Index i = 0; i < operators_->laplacian.cols(); ++i)
-        operators_->laplacian.coeffRef(i, i) += 0.0;
-    operators_->laplacian.makeCompressed();
 }
 
 SurfaceFilter::~SurfaceFilter() = default;
@@ -97,33 +138,29 @@ std::span<const double> SurfaceFilter::mass() const {
 
 std::vector<std::vector<double>>
 SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vectors) const {
-    const Sparse a = operators_->system(t);
-    const auto n = static_cast<Eigen::Index>(operators_->mass.size());
-    const ConstMap mass(operators_->mass.data(), n);
+    const Diffusion system = operators_->system(t);
     std::vector<std::vector<double>> smooth(vectors.size());
-    parallel_blocks(vectors.size(), 1, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const ConstMap x(vectors[k].data(), n);
-            const Vector rhs = mass.cwiseProduct(x);
-            // A surface is close to its own low pass, so it is the first guess.
-            Solver solver;
-            Operators::prepare(solver, a);
-            const Vector solution = solver.solveWithGuess(rhs, x);
-            smooth[k].assign(solution.data(), solution.data() + n);
-        }
+    // The coordinates of a surface come three at a time.
+    parallel_blocks(vectors.size(), 3, [&](std::size_t begin, std::size_t end) {
+        const std::span from(vectors.data() + begin, end - begin);
+        const std::span to(smooth.data() + begin, end - begin);
+        if (from.size() == 3)
+            low_pass_together<3>(system, from, to);
+        else
+            for (std::size_t k = 0; k < from.size(); ++k)
+                low_pass_together<1>(system, from.subspan(k, 1), to.subspan(k, 1));
     });
     return smooth;
 }
 
 std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const double> y) const {
-    const Sparse a = operators_->system(t);
-    const auto n = static_cast<Eigen::Index>(operators_->mass.size());
-    Solver solver;
-    Operators::prepare(solver, a);
-    const Vector solution = solver.solve(ConstMap(y.data(), n));
+    Together<1> right(y.size()), x(y.size(), std::array{0.0});
+    for (std::size_t i = 0; i < y.size(); ++i)
+        right[i][0] = y[i];
+    solve(operators_->system(t), right, x, tolerance, most_steps);
     std::vector<double> result(y.size());
     for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = operators_->mass[i] * solution[static_cast<Eigen::Index>(i)];
+        result[i] = operators_->mass[i] * x[i][0];
     return result;
 }
 

@@ -51,11 +51,12 @@ double turn_about(const Vec3& moments, int k, double change) {
     return gap > 0 ? std::min(widest, degrees * change / gap) : widest;
 }
 
-LevelFrame level_of(const TriangleMesh& mesh, const FrameEstimate& estimate, const Mat3& finest_covariance) {
+LevelFrame level_of(const Hierarchy::Level& coarser, const FrameEstimate& estimate,
+                    const Mat3& finest_covariance) {
     LevelFrame level;
-    level.vertices = mesh.positions.size();
-    const CentralMoments moments = shape_moments(mesh).of(estimate.substance);
-    level.frame = with_signs_of(principal_frame(mesh, moments), estimate.finest);
+    level.vertices = coarser.mesh.positions.size();
+    const CentralMoments moments = coarser.moments.of(estimate.substance);
+    level.frame = with_signs_of(principal_frame(coarser.mesh, moments), estimate.finest);
     const Mat3& covariance = moments.covariance;
     level.change = (covariance / covariance.trace() - finest_covariance / finest_covariance.trace()).norm();
     return level;
@@ -124,35 +125,44 @@ std::string_view describe(Ambiguity ambiguity) {
     return "";
 }
 
-FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
-                             const HierarchyOptions& options, const Progress& progress) {
-    const ShapeMoments moments = shape_moments(mesh);
-    return estimate_frame(mesh, base, moments.substance(), moments.of(moments.substance()), options,
-                          progress);
+Hierarchy make_hierarchy(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options,
+                         const Progress& progress) {
+    Hierarchy hierarchy{shape_moments(mesh), {}};
+    const auto add = [&](TriangleMesh level) {
+        ShapeMoments moments = shape_moments(level);
+        hierarchy.coarser.push_back({std::move(level), std::move(moments)});
+    };
+    if (base.positions.size() < mesh.positions.size())
+        add(base);
+    for (std::size_t vertices : options.levels) {
+        const TriangleMesh& finer = hierarchy.coarser.empty() ? base : hierarchy.coarser.back().mesh;
+        if (vertices >= finer.positions.size())
+            continue;
+        simplify::Options simplification;
+        simplification.target_vertices = vertices;
+        add(simplify::simplify(finer, simplification, progress).mesh);
+    }
+    return hierarchy;
 }
 
-FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,
-                             const CentralMoments& moments, const HierarchyOptions& options,
-                             const Progress& progress) {
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
+                             const HierarchyOptions& options, const Progress& progress) {
+    const Hierarchy hierarchy = make_hierarchy(mesh, base, options, progress);
+    return estimate_frame(mesh, hierarchy, hierarchy.moments.substance(), options);
+}
+
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const Hierarchy& hierarchy, Substance substance,
+                             const HierarchyOptions& options) {
     FrameEstimate estimate;
     estimate.substance = substance;
+    const CentralMoments moments = hierarchy.moments.of(substance);
     estimate.finest = principal_frame(mesh, moments);
     const Mat3& covariance = moments.covariance;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
     estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
     estimate.levels.push_back({mesh.positions.size(), estimate.finest, 0});
-
-    TriangleMesh level = base;
-    if (level.positions.size() < mesh.positions.size())
+    for (const Hierarchy::Level& level : hierarchy.coarser)
         estimate.levels.push_back(level_of(level, estimate, covariance));
-    for (std::size_t vertices : options.levels) {
-        if (vertices >= level.positions.size())
-            continue;
-        simplify::Options simplification;
-        simplification.target_vertices = vertices;
-        level = simplify::simplify(level, simplification, progress).mesh;
-        estimate.levels.push_back(level_of(level, estimate, covariance));
-    }
 
     estimate.robust = estimate.finest;
     estimate.robust.axes = median_rotation(estimate.levels);

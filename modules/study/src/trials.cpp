@@ -43,7 +43,7 @@ std::vector<detect::LinearStatistic> statistics_of(const watermark::Examination&
                                                    unsigned level) {
     std::vector<detect::LinearStatistic> statistics;
     for (const detect::Hypothesis& h : suspect.family())
-        if (h.pose == pose && h.level == level && !h.cells)
+        if (h.pose == pose && h.level == level && h.source == detect::Source::vertices)
             statistics.push_back(h.statistic);
     return statistics;
 }

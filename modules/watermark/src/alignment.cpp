@@ -57,14 +57,15 @@ std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, cons
     if (view.mesh.positions.empty())
         return {};
     const ExaminationOptions& options = examination.options();
-    const std::size_t pose = examination.poses() - 1, filter = examination.evidence().filters();
+    const std::size_t pose = examination.poses() - 1;
     const detect::ReferenceEvidence evidence(view.mesh, view.difference.along_normal, view.difference.trust);
     const sphere::Icosphere finest(std::ranges::max(options.levels));
     const std::vector<sphere::SparseRows> rows =
         sphere::barycentric_rows(finest, view.mesh.positions, options.levels);
     std::vector<detect::Hypothesis> family;
     for (std::size_t l = 0; l < options.levels.size(); ++l)
-        family.push_back({evidence.statistic(rows[l], options.rmax), options.levels[l], pose, filter});
+        family.push_back({evidence.statistic(rows[l], options.rmax), options.levels[l], pose, 0,
+                          detect::Source::reference});
     return family;
 }
 

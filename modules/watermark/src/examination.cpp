@@ -88,10 +88,9 @@ void Examination::gather_evidence() {
 }
 
 void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
-    const ShapeMoments moments = shape_moments(suspect.mesh);
-    for (Substance substance : moments.possible_substances()) {
-        const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, suspect.base, substance,
-                                                                      moments.of(substance), {}, progress);
+    const resync::Hierarchy hierarchy = resync::make_hierarchy(suspect.mesh, suspect.base, {}, progress);
+    for (Substance substance : hierarchy.moments.possible_substances()) {
+        const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, hierarchy, substance);
         ambiguity_ = std::max(ambiguity_, estimate.ambiguity);
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
@@ -157,7 +156,7 @@ void Examination::make_family() {
             turns = sphere::half_turns(finest_);
         for (const detect::Hypothesis& h : of_pose[leader.pose])
             of_pose[pose].push_back(
-                {permuted(h.statistic, (*turns)[leader.axis]), h.level, pose, h.filter, h.cells});
+                {permuted(h.statistic, (*turns)[leader.axis]), h.level, pose, h.filter, h.source});
     }
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
@@ -190,7 +189,8 @@ void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, st
         for (std::size_t f = 0; f < seen.filters(); ++f)
             hypotheses.push_back({samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
                                           : seen.statistic(f, of_level[l], options_.rmax),
-                                  options_.levels[l], pose, f, samples != nullptr});
+                                  options_.levels[l], pose, f,
+                                  samples ? detect::Source::cells : detect::Source::vertices});
 }
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,

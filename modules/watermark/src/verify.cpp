@@ -159,7 +159,7 @@ void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Se
     if (options.detector == Detector::paper) {
         decide_paper(report, all.suspect, key, sequences, options);
     } else {
-        report.by_difference = best.filter == all.suspect.evidence().filters();
+        report.by_difference = best.source == detect::Source::reference;
         if (!report.by_difference)
             report.filter = all.suspect.evidence().filter(best.filter);
         decide_whitened(report, all.suspect, key, sequences, options);

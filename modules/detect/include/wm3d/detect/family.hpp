@@ -12,13 +12,20 @@
 
 namespace wm3d::detect {
 
+/// What a hypothesis reads the mark from.
+enum class Source {
+    vertices,  ///< the suspect, at its vertices
+    cells,     ///< the suspect, around its vertices
+    reference, ///< the suspect's difference from a reference
+};
+
 /// One way the mark could sit in the suspect, fixed before the key is looked at.
 struct Hypothesis {
     LinearStatistic statistic;
     unsigned level = 0;     ///< level of the watermarking sphere whose sequence the statistic takes
     std::size_t pose = 0;   ///< which of the candidate poses
-    std::size_t filter = 0; ///< which filter of the bank
-    bool cells = false;     ///< read around the vertices instead of at them
+    std::size_t filter = 0; ///< which filter of the bank; a reference has none
+    Source source = Source::vertices;
 };
 
 /// The keyed sequence of a level.

@@ -2,6 +2,7 @@
 /// \file  A statistic that is linear in the key, and its exact distribution over random keys.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,7 @@ public:
     /// \pre  rmax > 0
     LinearStatistic(std::vector<double> coefficients, double rmax, Law law = Law::uniform);
 
-    std::span<const double> coefficients() const { return coefficients_; }
+    std::span<const double> coefficients() const { return *coefficients_; }
     double rmax() const { return rmax_; }
     Law law() const { return law_; }
 
@@ -37,7 +38,7 @@ public:
     double maximum() const { return maximum_; }
 
 private:
-    std::vector<double> coefficients_;
+    std::shared_ptr<const std::vector<double>> coefficients_; ///< copies share them: a family has megabytes
     double rmax_;
     Law law_;
     double sigma_ = 0;

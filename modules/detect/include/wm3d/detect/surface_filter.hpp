@@ -12,8 +12,8 @@ namespace wm3d::detect {
 
 /// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on
 /// any triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and
-/// positive. Solves by conjugate gradients, one thread per vector, so the bytes don't depend on the number of
-/// threads.
+/// positive. Solves by conjugate gradients that never form M + tL, three vectors at a time in one thread, so
+/// the bytes don't depend on the number of threads.
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);

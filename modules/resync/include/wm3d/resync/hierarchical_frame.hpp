@@ -51,6 +51,21 @@ struct FrameEstimate {
     std::vector<LevelFrame> levels; ///< finest first
 };
 
+/// The exact moments of a mesh and of coarser versions of it: computed once, for every substance.
+struct Hierarchy {
+    struct Level {
+        TriangleMesh mesh;
+        ShapeMoments moments;
+    };
+    ShapeMoments moments;       ///< of the mesh itself
+    std::vector<Level> coarser; ///< finest first
+};
+
+/// \param base  a simplified version of the mesh, from which the coarser levels are made
+/// \throw GeometryError  if the mesh has no area
+Hierarchy make_hierarchy(const TriangleMesh& mesh, const TriangleMesh& base,
+                         const HierarchyOptions& options = {}, const Progress& progress = {});
+
 /// Estimates the frame of a mesh from its own exact moments and those of its coarser levels.
 /// \param mesh  the mesh
 /// \param base  a simplified version of it, from which the coarser levels are made
@@ -58,10 +73,9 @@ struct FrameEstimate {
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
                              const HierarchyOptions& options = {}, const Progress& progress = {});
 
-/// The same for a substance of the mesh and its moments, which are known already.
-FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base, Substance substance,
-                             const CentralMoments& moments, const HierarchyOptions& options = {},
-                             const Progress& progress = {});
+/// The same for one substance of a mesh whose hierarchy is known.
+FrameEstimate estimate_frame(const TriangleMesh& mesh, const Hierarchy& hierarchy, Substance substance,
+                             const HierarchyOptions& options = {});
 
 struct CandidateOptions {
     double step = 1.0;     ///< between neighbouring turns, in degrees: the detector bears half of it

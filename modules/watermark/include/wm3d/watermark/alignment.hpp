@@ -37,8 +37,8 @@ struct ReferenceView {
 ReferenceView compare_with_reference(const TriangleMesh& reference, const Suspect& suspect,
                                      const Progress& progress = {});
 
-/// One hypothesis per level from the difference, in the coordinates of `view`: in the last pose of the
-/// examination, with the number after its last filter. None where nothing was aligned.
+/// One hypothesis per level from the difference, in the coordinates of `view` and the last pose of the
+/// examination. None where nothing was aligned.
 std::vector<detect::Hypothesis> reference_family(const ReferenceView& view, const Examination& examination);
 
 } // namespace wm3d::watermark
