@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/core/split_mix.hpp>
 #include <wm3d/detect/surface_filter.hpp>
 #include <wm3d/mesh/measure.hpp>
 
@@ -38,15 +39,12 @@ struct Bands {
     }
 };
 
-/// Signs without order, the same on every run (the finalizer of SplitMix64).
+/// Signs without order, the same on every run.
 Field white_noise(std::size_t count) {
     Field noise(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        std::uint64_t z = (i + 1) * 0x9e3779b97f4a7c15u;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        noise[i] = (z >> 63) != 0 ? 1 : -1;
-    }
+    std::uint64_t state = 0;
+    for (double& sign : noise)
+        sign = (split_mix(state) >> 63) != 0 ? 1 : -1;
     return noise;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include <wm3d/core/split_mix.hpp>
+
 namespace wm3d::shapes {
 
 namespace {
@@ -25,11 +27,7 @@ Vec3 lattice_slope(const std::array<std::int64_t, 3>& cell, std::uint64_t seed) 
 } // namespace
 
 double signed_unit(std::uint64_t& state) {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    z ^= z >> 31;
-    return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+    return static_cast<double>(split_mix(state) >> 11) * 0x1p-52 - 1.0;
 }
 
 double gradient_noise(const Vec3& p, std::uint64_t seed) {

@@ -5,18 +5,14 @@
 #include <cstdint>
 #include <vector>
 
+#include <wm3d/core/split_mix.hpp>
 #include <wm3d/mesh/types.hpp>
 
-/// SplitMix64 to (-1, 1): repeatable numbers for tests.
+/// Numbers of (-1, 1): repeatable numbers for tests.
 class Numbers {
 public:
     explicit Numbers(std::uint64_t seed) : state_(seed) {}
-    double operator()() {
-        std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-52 - 1 + 0x1p-53;
-    }
+    double operator()() { return static_cast<double>(wm3d::split_mix(state_) >> 11) * 0x1p-52 - 1 + 0x1p-53; }
 
 private:
     std::uint64_t state_;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <memory>
 
+#include <boost/math/tools/roots.hpp>
+
 namespace wm3d::study {
 
 namespace {
@@ -32,13 +34,16 @@ std::vector<Condition> conditions(const TriangleMesh& mesh, const TrialSetting& 
 
 /// The strength at which this response, scaled, would just meet the requirement.
 double needed_strength(const Response& response, const Requirement& requirement) {
-    double low = std::log(smallest_strength), high = std::log(2 * largest_strength);
-    while (high - low > tolerance / 10) {
-        const double middle = (low + high) / 2;
-        (log10_miss(response, std::exp(middle), requirement.pf) > std::log10(requirement.pm) ? low : high) =
-            middle;
-    }
-    return std::exp(high);
+    const auto excess = [&](double log_strength) {
+        return log10_miss(response, std::exp(log_strength), requirement.pf) - std::log10(requirement.pm);
+    };
+    const double low = std::log(smallest_strength), high = std::log(2 * largest_strength);
+    if (excess(low) <= 0)
+        return smallest_strength;
+    if (excess(high) > 0)
+        return 2 * largest_strength;
+    const auto narrow = [](double a, double b) { return b - a <= tolerance / 10; };
+    return std::exp(boost::math::tools::bisect(excess, low, high, narrow).second);
 }
 
 struct Step {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  What everything else stands on: errors, progress, threads, text, short hashes, the version.
+/// \file  What everything else stands on: errors, progress, threads, text, short hashes, SplitMix64, the version.
 #pragma once
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/fnv.hpp>
+#include <wm3d/core/json_depth.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/core/progress.hpp>
+#include <wm3d/core/split_mix.hpp>
 #include <wm3d/core/utf8.hpp>
 #include <wm3d/core/version.hpp>
