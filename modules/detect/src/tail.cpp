@@ -4,12 +4,14 @@
 #include <wm3d/detect/tail.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include <Eigen/Core>
 #include <boost/math/special_functions/erf.hpp>
 
 namespace wm3d::detect {
@@ -57,42 +59,82 @@ double saddlepoint_log_tail(const LinearStatistic& statistic, double t) {
     return log_phi + std::log(mills + 1 / u - 1 / r);
 }
 
-/// Ratio exp(K(s + iy) - K(s)), a product: of the factors sinh(x_j)/x_j for uniform numbers, cosh(x_j) for
-/// signs.
+/// Ratio exp(K(s + iy) - K(s)) at y = h, 2h, 3h and so on. It is a product: of the factors sinh(x_j)/x_j for
+/// uniform numbers, cosh(x_j) for signs, with x_j = a_j (s + iy).
 class ShiftedCharacteristic {
 public:
-    ShiftedCharacteristic(const LinearStatistic& statistic, double s)
-        : s_(s), uniform_(statistic.law() == Law::uniform) {
+    static constexpr std::size_t run = 8;
+
+    ShiftedCharacteristic(const LinearStatistic& statistic, double s, double h)
+        : s_(s), h_(h), uniform_(statistic.law() == Law::uniform) {
+        constexpr double negligible = 1e-9; // of a s: the factor is 1 to double precision
+        std::vector<double> scales;
         for (double c : statistic.coefficients()) {
             const double a = statistic.rmax() * std::abs(c);
-            if (a * s < 1e-9 && a < 1e-12 * statistic.sigma())
-                continue; // its factor is 1 to double precision
-            scale_.push_back(a);
-            slope_.push_back(uniform_ ? 1 / std::tanh(a * s) : std::tanh(a * s));
+            if (a * s >= negligible || a >= 1e-12 * statistic.sigma())
+                scales.push_back(a);
         }
+        while (scales.size() % lanes != 0)
+            scales.push_back(1e-3 * negligible / s);
+        for (std::size_t j = 0; j < scales.size(); j += lanes)
+            packs_.push_back(pack(scales.data() + j));
     }
 
-    std::complex<double> operator()(double y) const {
-        const std::complex<double> inverse =
-            uniform_ ? 1.0 / std::complex<double>(1, y / s_) : std::complex<double>(1);
-        double re = 1, im = 0;
-        for (std::size_t j = 0; j < scale_.size(); ++j) {
-            // u = a s, v = a y: sinh(u + iv) / sinh u * u / (u + iv), or cosh(u + iv) / cosh u
-            const double v = scale_[j] * y;
-            const double x = std::cos(v), w = std::sin(v) * slope_[j];
-            const double fx = x * inverse.real() - w * inverse.imag();
-            const double fw = x * inverse.imag() + w * inverse.real();
-            const double next = re * fx - im * fw;
-            im = re * fw + im * fx;
-            re = next;
+    /// The ratio at the next `run` multiples of h.
+    std::array<std::complex<double>, run> next() {
+        std::array<std::complex<double>, run> inverse;
+        for (std::complex<double>& z : inverse)
+            z = uniform_ ? 1.0 / std::complex<double>(1, ++multiple_ * h_ / s_) : std::complex<double>(1);
+        std::array<Lanes, run> re, im;
+        re.fill(Lanes::Ones());
+        im.fill(Lanes::Zero());
+        for (Pack& p : packs_)
+            for (std::size_t k = 0; k < run; ++k) {
+                // u = a s, v = a y: sinh(u + iv) / sinh u * u / (u + iv), or cosh(u + iv) / cosh u
+                const Lanes x = p.cos * p.turn_cos - p.sin * p.turn_sin;
+                p.sin = p.sin * p.turn_cos + p.cos * p.turn_sin;
+                p.cos = x;
+                const Lanes w = p.sin * p.slope;
+                const Lanes fx = x * inverse[k].real() - w * inverse[k].imag();
+                const Lanes fw = x * inverse[k].imag() + w * inverse[k].real();
+                const Lanes product = re[k] * fx - im[k] * fw;
+                im[k] = re[k] * fw + im[k] * fx;
+                re[k] = product;
+            }
+        std::array<std::complex<double>, run> ratio;
+        for (std::size_t k = 0; k < run; ++k) {
+            ratio[k] = 1;
+            for (Eigen::Index lane = 0; lane < lanes; ++lane)
+                ratio[k] *= std::complex<double>(re[k][lane], im[k][lane]);
         }
-        return {re, im};
+        return ratio;
     }
 
 private:
-    double s_;
+    static constexpr Eigen::Index lanes = 4;
+    using Lanes = Eigen::Array<double, lanes, 1>;
+
+    /// Factors whose angles a y are turned on by a h from one multiple to the next.
+    struct Pack {
+        Lanes slope, turn_cos, turn_sin;
+        Lanes cos = Lanes::Ones(), sin = Lanes::Zero();
+    };
+
+    Pack pack(const double* scales) const {
+        Pack p;
+        for (Eigen::Index lane = 0; lane < lanes; ++lane) {
+            const double a = scales[lane];
+            p.slope[lane] = uniform_ ? 1 / std::tanh(a * s_) : std::tanh(a * s_);
+            p.turn_cos[lane] = std::cos(a * h_);
+            p.turn_sin[lane] = std::sin(a * h_);
+        }
+        return p;
+    }
+
+    double s_, h_;
     bool uniform_;
-    std::vector<double> scale_, slope_;
+    int multiple_ = 0;
+    std::vector<Pack> packs_;
 };
 
 struct Integral {
@@ -101,21 +143,22 @@ struct Integral {
 };
 
 /// Integral over y > 0 of Re[exp(K(s + iy) - K(s) - iyt) / (s + iy)] with step h, compared with step 2h.
-Integral bromwich(const ShiftedCharacteristic& ratio, double s, double t, double h) {
+Integral bromwich(const LinearStatistic& statistic, double s, double t, double h) {
     constexpr int most = 400, quiet_run = 4;
-    const auto integrand = [&](double y) {
-        const std::complex<double> value = ratio(y) * std::polar(1.0, -y * t) / std::complex<double>(s, y);
-        return std::pair{value.real(), std::abs(value)};
-    };
+    ShiftedCharacteristic ratio(statistic, s, h);
     double fine = 0.5 / s, coarse = fine;
-    int quiet = 0, k = 1;
-    for (; k < most && quiet < quiet_run; ++k) {
-        const auto [term, size] = integrand(k * h);
-        fine += term;
-        if (k % 2 == 0)
-            coarse += term;
-        quiet = size < 1e-17 * std::abs(fine) ? quiet + 1 : 0;
-    }
+    int quiet = 0, k = 0;
+    while (k < most && quiet < quiet_run)
+        for (const std::complex<double>& shifted : ratio.next()) {
+            const double y = ++k * h;
+            const std::complex<double> term = shifted * std::polar(1.0, -y * t) / std::complex<double>(s, y);
+            fine += term.real();
+            if (k % 2 == 0)
+                coarse += term.real();
+            quiet = std::abs(term) < 1e-17 * std::abs(fine) ? quiet + 1 : 0;
+            if (quiet == quiet_run)
+                break;
+        }
     Integral integral;
     integral.value = fine * h;
     if (quiet == quiet_run && fine > 0)
@@ -141,7 +184,7 @@ Tail exact_tail(const LinearStatistic& statistic, double t) {
     const Cumulants k = cumulants(statistic, s);
     // The step resolves the integrand's width at the saddlepoint and the distance to the pole.
     const double h = std::min(0.4 / std::sqrt(k.k2), s / 8);
-    const Integral integral = bromwich(ShiftedCharacteristic(statistic, s), s, t, h);
+    const Integral integral = bromwich(statistic, s, t, h);
     if (!(integral.relative_error < 1e-6))
         return {chernoff_log10_bound(statistic, t), integral.relative_error, true};
     const double log_p = k.k0 - s * t + std::log(integral.value / std::numbers::pi);
