@@ -51,8 +51,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// Distances of the samples in triangle f.
-void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to, double density,
+/// Distances of the samples in triangle f. \param near  a triangle to look at first; then the last one found
+void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to, double density, Index& near,
                   Sums& sums) {
     const Vec3 normal = area_vector(from, f);
     const double area = 0.5 * normal.norm();
@@ -62,7 +62,8 @@ void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to
         static_cast<std::size_t>(std::clamp(std::ceil(std::sqrt(area * density)), 1.0, most_parts));
     const double weight = area / static_cast<double>(m * m);
     for_each_part(m, [&](const Vec3& barycentric) {
-        const ClosestPoint closest = to.closest(evaluate(from, {static_cast<Index>(f), barycentric}));
+        const ClosestPoint closest = to.closest(evaluate(from, {static_cast<Index>(f), barycentric}), near);
+        near = closest.at.triangle;
         sums.weight += weight;
         sums.distance += weight * closest.distance;
         sums.square += weight * closest.distance * closest.distance;
@@ -86,11 +87,18 @@ std::vector<char> used_vertices(const TriangleMesh& mesh) {
 OneSidedDistance surface_distance(const TriangleMesh& from, const SurfaceTree& to, std::size_t samples) {
     const double area = surface_area(from);
     const double density = area > 0 ? static_cast<double>(samples) / area : 0;
+    // A triangle that moved a little is the one to look at first; else triangles of successive numbers are
+    // mostly close.
+    const bool same_triangles = from.triangles == to.mesh().triangles;
     const Sums sums =
         parallel_sum(from.triangles.size(), block, Sums{}, [&](std::size_t begin, std::size_t end) {
             Sums part;
-            for (std::size_t f = begin; f < end; ++f)
-                add_triangle(from, f, to, density, part);
+            Index near = 0;
+            for (std::size_t f = begin; f < end; ++f) {
+                if (same_triangles)
+                    near = static_cast<Index>(f);
+                add_triangle(from, f, to, density, near, part);
+            }
             return part;
         });
     OneSidedDistance distance;
@@ -114,8 +122,12 @@ OneSidedDistance surface_distance(const TriangleMesh& from, const SurfaceTree& t
 std::vector<double> vertex_distances(const TriangleMesh& mesh, const SurfaceTree& reference) {
     std::vector<double> distances(mesh.positions.size());
     parallel_blocks(distances.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            distances[v] = reference.closest(mesh.positions[v]).distance;
+        Index near = 0; // then the last one found: vertices of successive numbers are mostly close
+        for (std::size_t v = begin; v < end; ++v) {
+            const ClosestPoint closest = reference.closest(mesh.positions[v], near);
+            near = closest.at.triangle;
+            distances[v] = closest.distance;
+        }
     });
     return distances;
 }

@@ -15,11 +15,9 @@ namespace wm3d::metrics {
 SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
     std::vector<NumberedTriangle> triangles;
     triangles.reserve(mesh.triangles.size());
-    for (Index f = 0; f < mesh.triangles.size(); ++f) {
-        const Triangle& t = mesh.triangles[f];
+    for (Index f = 0; f < mesh.triangles.size(); ++f)
         if (has_area(f))
-            triangles.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f});
-    }
+            triangles.push_back(numbered(f));
     if (triangles.empty())
         throw GeometryError(
             "the mesh has no triangle with an area, so no distance to it can be measured; check "
@@ -35,6 +33,13 @@ ClosestPoint SurfaceTree::closest(const Vec3& query) const {
     return on(boxes_->nearest(query).triangle, query);
 }
 
+ClosestPoint SurfaceTree::closest(const Vec3& query, Index near) const {
+    NearestTriangle known;
+    if (has_area(near))
+        known.improve(query, numbered(near));
+    return on(boxes_->nearest(query, known).triangle, query);
+}
+
 ClosestPoint SurfaceTree::closest(const Vec3& query, Index known, Index of) const {
     if (!has_area(of))
         return closest(query);
@@ -44,11 +49,9 @@ ClosestPoint SurfaceTree::closest(const Vec3& query, Index known, Index of) cons
 
 ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec3& query) const {
     NearestTriangle best;
-    for (Index f : triangles) {
-        const Triangle& t = mesh_->triangles[f];
+    for (Index f : triangles)
         if (has_area(f))
-            best.improve(query, {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]], f});
-    }
+            best.improve(query, numbered(f));
     return on(best.triangle, query);
 }
 
@@ -58,6 +61,11 @@ double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& qu
 
 bool SurfaceTree::has_area(Index triangle) const {
     return area_vector(*mesh_, triangle).squaredNorm() > 0;
+}
+
+NumberedTriangle SurfaceTree::numbered(Index triangle) const {
+    const Triangle& t = mesh_->triangles[triangle];
+    return {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]], triangle};
 }
 
 ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {

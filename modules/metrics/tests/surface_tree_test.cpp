@@ -58,6 +58,8 @@ TEST_CASE("what is known of a query changes the time, not the answer") {
         const ClosestPoint plain = tree.closest(query), bounded = tree.closest(query, corner, f);
         CHECK(bounded.at.triangle == plain.at.triangle);
         CHECK(bounded.position == plain.position);
+        for (Index near : {f, (f + 400) % static_cast<Index>(mesh.triangles.size())})
+            CHECK(tree.closest(query, near).at.triangle == plain.at.triangle);
         const std::vector<Index> one{plain.at.triangle};
         CHECK(tree.closest_of(one, query).position == plain.position);
         CHECK(tree.distance_but(one, query) >= plain.distance);

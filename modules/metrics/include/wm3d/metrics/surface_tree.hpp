@@ -16,6 +16,8 @@ struct ClosestPoint {
     double distance = 0; ///< in units of the mesh
 };
 
+struct NumberedTriangle;
+
 /// A tree of boxes over the triangles of a mesh. Triangles without area are left out. Queries may run on
 /// several threads. The mesh must outlive the tree.
 class SurfaceTree {
@@ -30,6 +32,9 @@ public:
     /// squarely.
     ClosestPoint closest(const Vec3& query) const;
 
+    /// The same point, found sooner the closer triangle `near` is to the query.
+    ClosestPoint closest(const Vec3& query, Index near) const;
+
     /// The same point, found sooner the closer `known`, a corner of triangle `of`, is to the query.
     ClosestPoint closest(const Vec3& query, Index known, Index of) const;
 
@@ -43,6 +48,7 @@ public:
 
 private:
     bool has_area(Index triangle) const;
+    NumberedTriangle numbered(Index triangle) const;
     ClosestPoint on(Index triangle, const Vec3& query) const;
 
     const TriangleMesh* mesh_;
