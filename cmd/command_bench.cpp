@@ -231,7 +231,8 @@ std::optional<io::Model> read_model(const fs::path& path, study::BenchModel& mod
     }
 }
 
-/// One model from its file to its last item. \return whether anything could be done with it
+/// One model from its file to its last item.
+/// \return whether anything could be done with it
 bool run_model(const fs::path& path, const study::BenchSetting& setting, study::BenchLog& log,
                Countdown& countdown, Output& output) {
     const std::string name = path.filename().string();
@@ -282,7 +283,8 @@ std::string command_line(const BenchArguments& arguments) {
            fmt::format(" --wrong-keys {} --seed {}", arguments.setting.wrong_keys, arguments.setting.seed);
 }
 
-/// Draws the heat map as SVG and PNG. \return whether gnuplot is there to do it
+/// Draws the heat map as SVG and PNG.
+/// \return whether gnuplot is there to do it
 bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary, Output& output) {
     if (!report::can_render()) {
         output.warn(

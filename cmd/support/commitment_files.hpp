@@ -21,7 +21,8 @@ void add_commitment_output(CLI::App& app, std::string& path);
 void check_commitment_target(const std::string& path, bool overwrite);
 
 /// Adds FILE, FILE.sha256 and, where this build can make one, FILE.tsq, a time stamp request. Nothing is
-/// added for an empty path. \throw OutputError  as io::FileSet::add
+/// added for an empty path.
+/// \throw OutputError  as io::FileSet::add
 void add_commitment_files(io::FileSet& set, const std::string& path,
                           const commitment::Commitment& commitment);
 

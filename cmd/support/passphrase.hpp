@@ -15,7 +15,8 @@ key::Passphrase passphrase_from(int descriptor);
 /// Whether there is a terminal that somebody could be asked on.
 bool can_ask();
 
-/// Asks on the terminal, which doesn't show what is typed. \throw InputError  if nothing is typed
+/// Asks on the terminal, which doesn't show what is typed.
+/// \throw InputError  if nothing is typed
 key::Passphrase ask_passphrase(std::string_view prompt);
 
 /// Keeps what this process has in memory out of core dumps and out of reach of other processes of its user.

@@ -49,7 +49,8 @@ public:
     BinaryStore(std::string_view bytes, const Layout& layout) : bytes_(bytes), layout_(layout) {}
 
     void reserve(std::size_t slots) { records_.reserve(slots); }
-    /// Adds the slot whose record starts at `offset`. \return its position
+    /// Adds the slot whose record starts at `offset`.
+    /// \return its position
     Vec3 add(std::size_t offset);
 
     double step(const Welding& welding) const override;

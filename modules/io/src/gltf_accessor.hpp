@@ -26,7 +26,8 @@ struct GltfAccessor {
 /// \throw InputError  if it is no VEC3, compressed, sparse, or reaches out of its buffer
 GltfAccessor gltf_position_accessor(GltfFile& file, std::size_t number);
 
-/// Vertex numbers of an index accessor, each below `vertices`. \throw InputError
+/// Vertex numbers of an index accessor, each below `vertices`.
+/// \throw InputError
 std::vector<Index> gltf_indices(GltfFile& file, std::size_t number, std::size_t vertices);
 
 } // namespace wm3d::io

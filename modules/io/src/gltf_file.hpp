@@ -32,7 +32,8 @@ public:
         std::string uri_prefix; ///< of an inline URI, up to the comma and with it
     };
 
-    /// Takes a GLB container apart, or the text of a .gltf. \throw InputError
+    /// Takes a GLB container apart, or the text of a .gltf.
+    /// \throw InputError
     static GltfFile open(const Source& source, bool binary, const Resolver& resolver,
                          const Limits& limits = Limits::none());
 
@@ -40,7 +41,8 @@ public:
     const Json& json() const { return json_; }
     std::string_view text() const { return text_; }
 
-    /// Bytes of a buffer, fetched on first use. \throw InputError
+    /// Bytes of a buffer, fetched on first use.
+    /// \throw InputError
     std::string_view buffer(std::size_t number);
     /// The buffers that the file lists, then one for each buffer view that may be unpacked.
     const std::vector<Buffer>& buffers() const { return buffers_; }
@@ -52,7 +54,8 @@ public:
 
     /// Bytes of the file and of all that it referred to so far.
     std::size_t asset_bytes() const { return asset_bytes_; }
-    /// Refuses `count` of what the asset shows if that is beyond its limits. \throw InputError
+    /// Refuses `count` of what the asset shows if that is beyond its limits.
+    /// \throw InputError
     void check_shown(double count, std::string_view what) const;
 
     /// Offset in the file of the GLB's binary chunk's data.
@@ -82,11 +85,14 @@ private:
     std::vector<Buffer> buffers_;
 };
 
-/// Array member of an object; an empty array if it is missing. \throw InputError if it is something else
+/// Array member of an object; an empty array if it is missing.
+/// \throw InputError if it is something else
 const Json& gltf_array(const Source& source, const Json& object, const char* key);
-/// Unsigned member of an object. \throw InputError if it is something else
+/// Unsigned member of an object.
+/// \throw InputError if it is something else
 std::size_t gltf_size(const Source& source, const Json& object, const char* key, std::size_t missing);
-/// Entry of a top-level array such as "accessors". \throw InputError if there is none
+/// Entry of a top-level array such as "accessors".
+/// \throw InputError if there is none
 const Json& gltf_entry(const Source& source, const Json& root, const char* key, std::size_t number);
 
 } // namespace wm3d::io

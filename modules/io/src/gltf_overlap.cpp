@@ -21,7 +21,8 @@ public:
         }
     }
 
-    /// Adds an accessor. \return  the one that stands in its way, if any
+    /// Adds an accessor.
+    /// \return  the one that stands in its way, if any
     const GltfAccessor* add(const GltfAccessor& a) {
         if (!arcs_.empty() && arcs_.begin()->second->stride != a.stride)
             return arcs_.begin()->second;

@@ -10,7 +10,8 @@
 
 namespace wm3d::io {
 
-/// Whether a primitive has triangles at all; points and lines are no surface. \throw InputError
+/// Whether a primitive has triangles at all; points and lines are no surface.
+/// \throw InputError
 bool gltf_is_surface(const Source& source, const Json& primitive);
 
 /// Triangles of a primitive over its own `vertices`, whose mode is triangles, a strip or a fan.

@@ -17,7 +17,8 @@ struct JsonSpan {
     std::size_t begin = 0, end = 0;
 };
 
-/// Values of an array, in order; none if the value is no array. \pre  the text is valid JSON
+/// Values of an array, in order; none if the value is no array.
+/// \pre  the text is valid JSON
 std::vector<JsonSpan> json_elements(std::string_view text, JsonSpan array);
 
 /// Value of a member of an object; the last if there are several; nothing if the value is no object. Keys

@@ -40,7 +40,8 @@ inline void check_reads_back(const Model& model, const Model& again, std::span<c
     CHECK(wrong == 0);
 }
 
-/// Patches with small moves and checks what every format promises. \return the patched bytes
+/// Patches with small moves and checks what every format promises.
+/// \return the patched bytes
 inline std::string check_patch(const std::string& bytes, Format format, double amount) {
     const Model model = parse_as(format, bytes);
     CHECK(model.patched(model.mesh().positions) == bytes);

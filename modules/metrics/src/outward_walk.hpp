@@ -23,7 +23,8 @@ struct OutwardStep {
     bool starts_within(double radius) const { return from_square <= radius * radius; }
     bool ends_within(double radius) const { return to_square <= radius * radius; }
 
-    /// Share of the edge that lies in the sphere of this radius. \pre  starts_within(radius)
+    /// Share of the edge that lies in the sphere of this radius.
+    /// \pre  starts_within(radius)
     double share_within(double radius) const {
         if (ends_within(radius))
             return 1;

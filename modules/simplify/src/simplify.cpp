@@ -51,7 +51,8 @@ Numbering number_survivors(const Rings& rings, const std::vector<Index>& source)
     return numbering;
 }
 
-/// The triangles that live, in the order of their faces. \param faces  receives the working face of each.
+/// The triangles that live, in the order of their faces.
+/// \param faces  receives the working face of each.
 std::vector<Triangle> surviving_triangles(const Rings& rings, const std::vector<Index>& base_vertex,
                                           std::size_t face_count, std::vector<Index>& faces) {
     constexpr Triangle none{no_index, no_index, no_index};

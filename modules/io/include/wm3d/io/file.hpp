@@ -57,7 +57,8 @@ private:
 /// \throw OutputError as FileSet::add
 void add_files(FileSet& set, const std::filesystem::path& path, const PatchedFiles& files);
 
-/// Writes a patched file and its side files, all or none. \throw OutputError  as FileSet
+/// Writes a patched file and its side files, all or none.
+/// \throw OutputError  as FileSet
 void write_files(const std::filesystem::path& path, const PatchedFiles& files,
                  const WriteOptions& options = {});
 

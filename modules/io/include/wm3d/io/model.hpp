@@ -78,7 +78,8 @@ public:
     PatchedFiles patched_files(std::span<const Vec3> wanted, std::string_view output_name,
                                Normals normals = Normals::keep) const;
 
-    /// What reading the patched files would give once they are written. \throw InputError  as `parse`
+    /// What reading the patched files would give once they are written.
+    /// \throw InputError  as `parse`
     Model read_back(const PatchedFiles& files) const;
 
 private:

@@ -33,8 +33,8 @@ public:
     static Key generate(std::string name, PublicParameters parameters = {});
 
     /// Reads the text of a key file; messages call it `file_name`. `ask` is called if a passphrase protects
-    /// it. \throw InputError  if it is no key file, cut, altered, of a newer version or has a value out of
-    /// range,
+    /// it.
+    /// \throw InputError  if it is no key file, cut, altered, of a newer version or has a value out of range,
     ///                    or the passphrase is missing or a wrong one
     static Key parse(std::string_view text, std::string_view file_name, const AskPassphrase& ask = {});
 

@@ -16,7 +16,8 @@ class Passphrase {
 public:
     static constexpr std::size_t size_limit = 1024; ///< bytes
 
-    /// Takes the text over and wipes it there. \throw ParameterError  if it is empty or too long
+    /// Takes the text over and wipes it there.
+    /// \throw ParameterError  if it is empty or too long
     explicit Passphrase(std::string&& text);
 
     std::string_view text() const { return {reinterpret_cast<const char*>(bytes_.get()), size_}; }

@@ -72,7 +72,8 @@ public:
     const Owner& owner() const { return owner_; }
     std::int64_t size() const;
 
-    /// Calls `take` for every entry in order. \throw InputError  if it is locked or can't be read
+    /// Calls `take` for every entry in order.
+    /// \throw InputError  if it is locked or can't be read
     void visit(const std::function<void(const Entry&)>& take) const;
     std::optional<Entry> find(std::string_view work, std::string_view recipient) const;
     std::optional<Entry> find(std::int64_t number) const;

@@ -49,8 +49,9 @@ public:
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
     /// Weighs the carriers' mask by what a trial mark shows: `Carriers::equalize`. The trial's sequence is
-    /// not to be the key's, so that the mask tells nothing of it and the same mask serves any. \param trial
-    /// its positions of a strength \param guess  strength to begin with, > 0
+    /// not to be the key's, so that the mask tells nothing of it and the same mask serves any.
+    /// \param trial  its positions of a strength
+    /// \param guess  strength to begin with, > 0
     void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:

@@ -38,7 +38,8 @@ public:
     /// The same point, found sooner the closer `known`, a corner of triangle `of`, is to the query.
     ClosestPoint closest(const Vec3& query, Index known, Index of) const;
 
-    /// The closest point of some triangles. \pre  one of them has an area
+    /// The closest point of some triangles.
+    /// \pre  one of them has an area
     ClosestPoint closest_of(std::span<const Index> triangles, const Vec3& query) const;
 
     /// Distance of all triangles but some; infinite if there are no others.

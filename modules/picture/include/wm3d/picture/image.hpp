@@ -24,15 +24,16 @@ struct Image {
     const Rgb& at(std::size_t x, std::size_t y) const { return pixels[y * width + x]; }
 };
 
-/// Lays images of the same height side by side, `gap` white pixels apart. \throw ParameterError  if heights
-/// differ
+/// Lays images of the same height side by side, `gap` white pixels apart.
+/// \throw ParameterError  if heights differ
 Image beside(const std::vector<Image>& images, std::size_t gap = 4);
 
 /// Root mean square of the differences over all channels, 0 to 255.
 /// \throw ParameterError  if the sizes differ
 double rms_difference(const Image& a, const Image& b);
 
-/// Largest difference of a channel, 0 to 255. \throw ParameterError  if the sizes differ
+/// Largest difference of a channel, 0 to 255.
+/// \throw ParameterError  if the sizes differ
 int largest_difference(const Image& a, const Image& b);
 
 /// \throw OutputError  if the file can't be written

@@ -17,8 +17,8 @@ struct Camera {
     double height = 1;              ///< of what the picture shows, in units of the mesh
 };
 
-/// A camera that shows the whole surface with a little room around. \pre  `backwards` and `up` are not
-/// parallel
+/// A camera that shows the whole surface with a little room around.
+/// \pre  `backwards` and `up` are not parallel
 Camera frame(const TriangleMesh& mesh, const Vec3& backwards, const Vec3& up);
 
 /// The same camera on a part: `x` and `y` from -1 to 1 (left to right, bottom to top of a square picture) say

@@ -34,7 +34,8 @@ public:
     /// Called with b and T of all (a, c): number a * samples + c.
     using Visit = std::function<void(std::size_t b, std::span<const Real> values)>;
 
-    /// On the calling thread. \pre  f and w have at least the bandwidth
+    /// On the calling thread.
+    /// \pre  f and w have at least the bandwidth
     void operator()(const Harmonics& f, const Harmonics& w, const Visit& visit) const;
 
 private:

@@ -16,7 +16,8 @@ namespace wm3d::sphere {
 /// \pre  the sphere's vertices come in exact pairs, as Icosphere makes them
 std::array<std::vector<Index>, 3> half_turns(const Icosphere& sphere);
 
-/// For each vertex the number of the one opposite. \pre  as `half_turns`
+/// For each vertex the number of the one opposite.
+/// \pre  as `half_turns`
 std::vector<Index> inversion(const Icosphere& sphere);
 
 /// The axis, 0 to 2, of the half turn about a coordinate axis that a rotation is; none if it is no such turn.

@@ -24,7 +24,8 @@ public:
     /// What is there. Not to be read while other threads add to it.
     const BenchResults& results() const { return results_; }
 
-    /// A command line that adds to the results. One that is there is not written again. \throw OutputError
+    /// A command line that adds to the results. One that is there is not written again.
+    /// \throw OutputError
     void add_command(const std::string& command);
 
     /// A model that is there as it is now is not written again.
@@ -32,7 +33,8 @@ public:
     /// \throw OutputError  if the file can't be written
     void add(const std::string& name, BenchModel model);
 
-    /// From any thread. \throw OutputError
+    /// From any thread.
+    /// \throw OutputError
     void add(const MarkName& name, const BenchMark& mark);
     void add(const ItemName& name, const BenchItem& item);
 

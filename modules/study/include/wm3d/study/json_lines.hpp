@@ -35,7 +35,8 @@ public:
     /// Whether the file had no line when it was opened.
     bool was_empty() const { return was_empty_; }
 
-    /// Adds a line, whole or not at all. From one thread at a time. \throw OutputError
+    /// Adds a line, whole or not at all. From one thread at a time.
+    /// \throw OutputError
     void append(const nlohmann::ordered_json& line);
 
 private:

@@ -25,7 +25,8 @@ public:
     /// Trials of a setting that are there already, by number.
     const std::map<std::size_t, Trial>& trials(const std::string& setting) { return trials_[setting]; }
 
-    /// Writes a line and flushes it to the file. \throw OutputError
+    /// Writes a line and flushes it to the file.
+    /// \throw OutputError
     void append(const std::string& setting, const Trial& trial);
 
 private:

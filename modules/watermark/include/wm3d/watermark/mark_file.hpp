@@ -52,7 +52,8 @@ struct MarkedModel {
 MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkModelOptions& options = {},
                        const Progress& progress = {});
 
-/// A sentence for a loss: what was tried, what would mend it. \pre  result.loss != Loss::none
+/// A sentence for a loss: what was tried, what would mend it.
+/// \pre  result.loss != Loss::none
 std::string describe_loss(const MarkedModel& result, double pf);
 
 /// The receipt of a marked model, by which cut or ambiguous copies are found again.
