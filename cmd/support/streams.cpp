@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <wm3d/core/descriptor.hpp>
 #include <wm3d/core/error.hpp>
 
 namespace wm3d::cmd {
@@ -23,15 +24,11 @@ void prepare_standard_streams() {
 }
 
 void write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-        if (written >= 0)
-            bytes.remove_prefix(static_cast<std::size_t>(written));
-        else if (errno == EPIPE)
-            throw ClosedPipe();
-        else if (errno != EINTR)
-            throw OutputError(fmt::format("standard output can't be written: {}", std::strerror(errno)));
-    }
+    if (wm3d::write_all(descriptor, bytes))
+        return;
+    if (errno == EPIPE)
+        throw ClosedPipe();
+    throw OutputError(fmt::format("standard output can't be written: {}", std::strerror(errno)));
 }
 
 void write_message(std::string_view text) {

@@ -5,7 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base64.hpp"
+#include <wm3d/core/base64.hpp>
+
 #include "binary.hpp"
 
 namespace wm3d::io {
@@ -56,7 +57,8 @@ struct Builder {
     std::string buffer;
     OrderedJson views = OrderedJson::array(), accessors = OrderedJson::array();
 
-    /// Declares what was appended since `begin`. \return the accessor's number
+    /// Declares what was appended since `begin`.
+    /// \return the accessor's number
     std::size_t declare(std::size_t begin, int target, OrderedJson accessor) {
         views.push_back({{"buffer", 0},
                          {"byteOffset", begin},

@@ -10,9 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <wm3d/core/descriptor.hpp>
 #include <wm3d/core/error.hpp>
-
-#include "descriptor.hpp"
 
 namespace wm3d::io {
 

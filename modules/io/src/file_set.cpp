@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include <wm3d/core/descriptor.hpp>
 #include <wm3d/core/error.hpp>
 #include <wm3d/io/file.hpp>
 
-#include "descriptor.hpp"
 #include "temporary_file.hpp"
 
 namespace wm3d::io {
@@ -40,14 +40,6 @@ std::optional<unsigned> check_existing(const std::filesystem::path& path, const 
         throw OutputError(fmt::format("{}: the file exists; --overwrite replaces it", path.string()),
                           ErrorCode::output_exists);
     return status.st_mode & 0777;
-}
-
-/// Makes a new name in a folder durable; file systems that can't are left alone.
-void sync_folder(const std::filesystem::path& path) {
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
-    const Descriptor fd(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    if (fd.get() >= 0)
-        static_cast<void>(::fsync(fd.get()));
 }
 
 } // namespace
@@ -102,7 +94,7 @@ void FileSet::commit() {
         throw;
     }
     for (const TemporaryFile& file : files)
-        sync_folder(file.target());
+        sync_folder_of(file.target());
 }
 
 } // namespace wm3d::io

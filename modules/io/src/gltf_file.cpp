@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <wm3d/core/base64.hpp>
 #include <wm3d/core/json_depth.hpp>
 
-#include "base64.hpp"
 #include "binary.hpp"
 
 namespace wm3d::io {

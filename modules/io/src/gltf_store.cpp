@@ -11,7 +11,7 @@
 
 #include <Eigen/LU>
 
-#include "base64.hpp"
+#include <wm3d/core/base64.hpp>
 
 namespace wm3d::io {
 

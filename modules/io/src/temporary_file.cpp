@@ -27,22 +27,6 @@ namespace {
                       ErrorCode::output_exists);
 }
 
-bool write_all(int fd, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t put = ::write(fd, bytes.data(), bytes.size());
-        if (put < 0 && errno == EINTR)
-            continue;
-        if (put < 0)
-            return false;
-        bytes.remove_prefix(static_cast<std::size_t>(put));
-    }
-    return true;
-}
-
-std::filesystem::path folder_of(const std::filesystem::path& path) {
-    return path.has_parent_path() ? path.parent_path() : ".";
-}
-
 /// A name beside the target that nobody has yet, short whatever the target is called.
 std::string fresh_name(const std::filesystem::path& target) {
     std::random_device random;
@@ -109,7 +93,8 @@ void TemporaryFile::open_named(unsigned mode) {
         fail_writing(target_, errno);
 }
 
-/// Makes the file known by a name that nobody has yet. \throw OutputError
+/// Makes the file known by a name that nobody has yet.
+/// \throw OutputError
 void TemporaryFile::give_name(const std::string& name) {
     const bool done = name_.empty() ? ::linkat(AT_FDCWD, handle_of(file_.get()).c_str(), AT_FDCWD,
                                                name.c_str(), AT_SYMLINK_FOLLOW) == 0

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "descriptor.hpp"
+#include <wm3d/core/descriptor.hpp>
 
 namespace wm3d::io {
 
@@ -20,7 +20,8 @@ struct TemporaryOptions {
 /// that not even a killed process leaves it behind; else a name of its own, which the destructor removes.
 class TemporaryFile {
 public:
-    /// Writes the bytes and flushes them to the disk. \throw OutputError
+    /// Writes the bytes and flushes them to the disk.
+    /// \throw OutputError
     TemporaryFile(std::filesystem::path target, std::string_view bytes, const TemporaryOptions& options = {});
     ~TemporaryFile();
     TemporaryFile(TemporaryFile&& other) noexcept;
@@ -33,7 +34,8 @@ public:
         replace, ///< for good
         keep,    ///< replace, and keep the file until this object is destroyed, so that roll_back finds it
     };
-    /// Takes the target's name. \throw OutputError  if that can't be had; then nothing has changed
+    /// Takes the target's name.
+    /// \throw OutputError  if that can't be had; then nothing has changed
     void commit(Existing existing);
 
     /// After commit: gives the name back to the file that was kept, or to nothing if there was none.

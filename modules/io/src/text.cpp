@@ -31,6 +31,23 @@ bool is_space(char c) {
     return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f';
 }
 
+/// The power of ten of the first digit that is not zero. Exponents beyond all reason count as 10^15.
+std::int64_t power_of_ten(std::string_view number) {
+    const std::size_t mark = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, mark);
+    std::string_view exponent = number.substr(std::min(mark + 1, number.size()));
+    if (exponent.starts_with('+'))
+        exponent.remove_prefix(1);
+    std::int64_t power = 0;
+    const bool fits = std::from_chars(exponent.begin(), exponent.end(), power).ec == std::errc();
+    constexpr std::int64_t beyond = 1'000'000'000'000'000;
+    if (!exponent.empty() && !fits)
+        power = exponent.starts_with('-') ? -beyond : beyond;
+    const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+    const auto first = static_cast<std::int64_t>(digits.find_first_of("123456789"));
+    return std::clamp(power, -beyond, beyond) + point - first - (first < point ? 1 : 0);
+}
+
 } // namespace
 
 const char* parse_number(const char* begin, const char* end, double& value) {
@@ -39,14 +56,10 @@ const char* parse_number(const char* begin, const char* end, double& value) {
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range) {
         // Too small for a double is zero; too large is an error.
-        const std::string_view text(begin, static_cast<std::size_t>(stop - begin));
-        const std::size_t e = text.find_first_of("eE");
-        if (e == std::string_view::npos ? text.find_first_not_of("-0.") > text.find('.')
-                                        : text.substr(e + 1, 1) == "-") {
-            value = 0;
-            return stop;
-        }
-        return nullptr;
+        if (power_of_ten({begin, stop}) > 0)
+            return nullptr;
+        value = 0;
+        return stop;
     }
     return error == std::errc() ? stop : nullptr;
 }

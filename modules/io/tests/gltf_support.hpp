@@ -9,7 +9,7 @@
 
 #include <wm3d/mesh/types.hpp>
 
-#include "../src/base64.hpp"
+#include <wm3d/core/base64.hpp>
 
 namespace wm3d::io::test {
 

@@ -4,10 +4,10 @@
 
 #include <wm3d/shapes.hpp>
 
-#include "../src/base64.hpp"
 #include "../src/json_text.hpp"
 #include "gltf_support.hpp"
 #include "support.hpp"
+#include <wm3d/core/base64.hpp>
 
 using namespace wm3d;
 using namespace wm3d::io;

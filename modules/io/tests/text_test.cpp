@@ -33,6 +33,18 @@ TEST_CASE("numbers are read exactly") {
     CHECK(number("1e-999") == 0);
     CHECK(number("0.00000000000000000001") == 1e-20);
     CHECK(std::isnan(number("1e999")));
+    // What counts is where the digits stand and the exponent together.
+    const std::string zeros(400, '0');
+    CHECK(std::isnan(number("1" + zeros)));
+    CHECK(std::isnan(number("-1" + zeros + "e-5")));
+    CHECK(number("1" + zeros + "e-395") == 1e5);
+    CHECK(number("1" + zeros + "e-999") == 0);
+    CHECK(number("0." + zeros + "1") == 0);
+    CHECK(number("0." + zeros + "1e+5") == 0);
+    CHECK(number("0." + zeros + "1e401") == 1);
+    CHECK(std::isnan(number("0." + zeros + "1e999")));
+    CHECK(std::isnan(number("1e99999999999999999999")));
+    CHECK(number("1e-99999999999999999999") == 0);
     CHECK(std::isnan(number("+-1")));
     CHECK(std::isnan(number("x")));
     CHECK(std::isnan(number("")));

@@ -15,6 +15,7 @@
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 #include <wm3d/core/utf8.hpp>
 #include <wm3d/core/version.hpp>
 #include <wm3d/key/stream.hpp>
@@ -154,15 +155,16 @@ private:
     std::string_view file_name_;
 };
 
-/// Checks first line and checksum. \return  the version
+/// Checks first line and checksum.
+/// \return  the version
 unsigned check_envelope(std::span<const std::string_view> lines, std::string_view file_name) {
     const auto version = lines.empty() || !lines[0].starts_with(first_line)
                              ? std::nullopt
                              : parse_number<unsigned>(lines[0].substr(first_line.size()));
     if (!version || *version == 0)
-        throw InputError(fmt::format(
-            "{}: this is not a key file of wm3d, whose first line is '{}1' or '{}2'; name the file that keygen wrote",
-            file_name, first_line, first_line));
+        throw InputError(fmt::format("{}: this is not a key file of wm3d, whose first line is '{}1' or "
+                                     "'{}2'; name the file that keygen wrote",
+                                     file_name, first_line, first_line));
     if (*version > Key::format_version)
         throw InputError(
             fmt::format(
@@ -184,7 +186,8 @@ unsigned check_envelope(std::span<const std::string_view> lines, std::string_vie
     return *version;
 }
 
-/// The secret behind a passphrase. \throw InputError
+/// The secret behind a passphrase.
+/// \throw InputError
 Secret ask_for_secret(const ProtectedSecret& box, std::string_view file_name, const AskPassphrase& ask) {
     if (!ask)
         throw InputError(

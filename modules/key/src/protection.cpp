@@ -11,6 +11,7 @@
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 
 #include "sodium.hpp"
 

@@ -7,6 +7,7 @@
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 
 #include "sodium.hpp"
 
@@ -22,15 +23,6 @@ void blake2b(std::span<std::uint8_t> out, std::span<const std::uint8_t> message,
              std::span<const std::uint8_t> key) {
     start_sodium();
     crypto_generichash(out.data(), out.size(), message.data(), message.size(), key.data(), key.size());
-}
-
-std::string to_hex(std::span<const std::uint8_t> bytes) {
-    std::string text;
-    for (const std::uint8_t byte : bytes) {
-        text += "0123456789abcdef"[byte >> 4];
-        text += "0123456789abcdef"[byte & 15];
-    }
-    return text;
 }
 
 std::array<std::uint8_t, 8> little_endian(std::uint64_t number) {

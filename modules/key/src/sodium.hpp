@@ -12,7 +12,8 @@
 
 namespace wm3d::key {
 
-/// Starts libsodium once (it then chooses its fastest code). \throw Error  if it can't start
+/// Starts libsodium once (it then chooses its fastest code).
+/// \throw Error  if it can't start
 void start_sodium();
 
 /// BLAKE2b of `message` under `key` (none if empty) with a digest of out.size() bytes, 16 to 64.
@@ -23,14 +24,12 @@ inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
     return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
-/// Lower-case hexadecimal digits.
-std::string to_hex(std::span<const std::uint8_t> bytes);
-
 /// Little-endian bytes of a number.
 std::array<std::uint8_t, 8> little_endian(std::uint64_t number);
 
 /// Memory of its own pages that is not swapped out nor dumped where the system grants that, guarded against
-/// overruns, and wiped when the last pointer to it goes. \throw std::bad_alloc
+/// overruns, and wiped when the last pointer to it goes.
+/// \throw std::bad_alloc
 std::shared_ptr<std::uint8_t> guarded_memory(std::size_t size);
 
 /// Overwrites a text that held a secret.

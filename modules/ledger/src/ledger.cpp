@@ -12,6 +12,7 @@
 #include <sqlite3.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 
 #include "sqlite.hpp"
 
@@ -51,10 +52,7 @@ Entry entry_of(const Statement& row) {
 std::string sha256(std::string_view text) {
     std::array<unsigned char, crypto_hash_sha256_BYTES> digest{};
     crypto_hash_sha256(digest.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size());
-    std::string hex;
-    for (const unsigned char byte : digest)
-        hex += fmt::format("{:02x}", byte);
-    return hex;
+    return to_hex(digest);
 }
 
 ordered_json to_json(const Entry& entry) {

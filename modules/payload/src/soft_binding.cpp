@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/payload/soft_binding.hpp>
 
-#include <sodium.h>
+#include <wm3d/core/base64.hpp>
 
 namespace wm3d::payload {
 
@@ -20,12 +20,7 @@ std::string bytes_of(const Message& message) {
 } // namespace
 
 std::string soft_binding_value(const Message& message) {
-    const std::string bytes = bytes_of(message);
-    std::string text(sodium_base64_encoded_len(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-    sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                      bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-    text.pop_back(); // the zero at its end
-    return text;
+    return to_base64(bytes_of(message));
 }
 
 } // namespace wm3d::payload

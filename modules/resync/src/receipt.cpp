@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sodium.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 #include <wm3d/core/json_depth.hpp>
 
 #include "template_text.hpp"
@@ -23,20 +23,30 @@ using nlohmann::ordered_json;
 
 constexpr std::string_view schema = "wm3d.receipt/";
 
-std::string hex(std::span<const unsigned char> bytes) {
-    std::string text;
-    for (unsigned char byte : bytes)
-        text += fmt::format("{:02x}", byte);
-    return text;
-}
+constexpr std::size_t digest_digits = 64;
 
-/// BLAKE2b-256 of the receipt's compact text without its digest: tells a damaged receipt, not a forged one.
-std::string check_sum(const ordered_json& json) {
-    const std::string text = json.dump();
-    std::array<unsigned char, 32> sum{};
+/// BLAKE2b-256: tells a damaged receipt, not a forged one.
+std::string check_sum(std::string_view text) {
+    std::array<unsigned char, digest_digits / 2> sum{};
     crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const unsigned char*>(text.data()),
                        text.size(), nullptr, 0);
-    return hex(sum);
+    return to_hex(sum);
+}
+
+/// Whether every byte of the text but the digits of its digest is as it was written.
+bool is_whole(std::string_view text, const ordered_json& json, int version) {
+    const auto member = json.find("digest");
+    if (member == json.end() || !member->is_string())
+        return false;
+    const auto& digest = member->get_ref<const std::string&>();
+    if (version == 1) { // of the object without its digest, printed again without blanks
+        ordered_json rest = json;
+        rest.erase("digest");
+        return check_sum(rest.dump()) == digest;
+    }
+    const std::size_t at = text.rfind(digest);
+    return digest.size() == digest_digits && at != std::string_view::npos &&
+           check_sum(std::string(text.substr(0, at)).append(text.substr(at + digest_digits))) == digest;
 }
 
 ordered_json to_json(const Vec3& v) {
@@ -100,7 +110,7 @@ int version_of(const ordered_json& json) {
     return name.starts_with(schema) ? std::atoi(name.c_str() + schema.size()) : 0;
 }
 
-/// The JSON of the receipt after the checks that need no knowledge of its fields.
+/// The JSON of the receipt after the checks that need no knowledge of its fields but the digest's.
 ordered_json checked_json(std::string_view text, std::string_view file_name) {
     check_json_depth(text, file_name);
     ordered_json json = ordered_json::parse(text, nullptr, false);
@@ -118,6 +128,12 @@ ordered_json checked_json(std::string_view text, std::string_view file_name) {
             fmt::format("{}: the receipt has format {}, and this wm3d reads up to {}; use a newer wm3d",
                         file_name, version, Receipt::format_version),
             ErrorCode::newer_version);
+    if (!is_whole(text, json, version))
+        throw InputError(
+            fmt::format("{}: the receipt was altered after it was written (its digest doesn't fit); give an "
+                        "untouched copy",
+                        file_name),
+            ErrorCode::altered_input);
     return json;
 }
 
@@ -126,7 +142,7 @@ ordered_json checked_json(std::string_view text, std::string_view file_name) {
 FileDigest digest_of(std::string_view bytes) {
     std::array<unsigned char, crypto_hash_sha256_BYTES> sum{};
     crypto_hash_sha256(sum.data(), reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-    return {hex(sum), bytes.size()};
+    return {to_hex(sum), bytes.size()};
 }
 
 std::string to_text(const Receipt& receipt) {
@@ -151,21 +167,14 @@ std::string to_text(const Receipt& receipt) {
          {{"min", to_json(box.min)},
           {"max", to_json(box.max)},
           {"data", encode(receipt.pose_template, box)}}}};
-    json["digest"] = check_sum(json);
-    return json.dump(2) + "\n";
+    json["digest"] = "";
+    std::string text = json.dump(2) + "\n";
+    const std::string digest = check_sum(text);
+    return text.insert(text.rfind('"'), digest);
 }
 
 Receipt parse_receipt(std::string_view text, std::string_view file_name) {
-    ordered_json json = checked_json(text, file_name);
-    const std::string expected =
-        json.value("digest", ordered_json()).is_string() ? json["digest"].get<std::string>() : "";
-    json.erase("digest");
-    if (check_sum(json) != expected)
-        throw InputError(
-            fmt::format("{}: the receipt was altered after it was written (its digest doesn't fit); give an "
-                        "untouched copy",
-                        file_name),
-            ErrorCode::altered_input);
+    const ordered_json json = checked_json(text, file_name);
     try {
         Receipt receipt = receipt_from(json);
         if (is_frame(receipt.frame) && !receipt.pose_template.points.empty())

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <sodium.h>
+#include <wm3d/core/base64.hpp>
 
 namespace wm3d::resync {
 
@@ -13,7 +13,6 @@ namespace {
 constexpr std::size_t bytes_per_point = 9;
 constexpr double finest = 65535;
 constexpr double normal_steps = 127;
-constexpr int base64 = sodium_base64_VARIANT_ORIGINAL;
 
 } // namespace
 
@@ -30,24 +29,17 @@ std::string encode(const PoseTemplate& pose_template, const Box& box) {
         for (int k = 0; k < 3; ++k)
             bytes += static_cast<char>(std::lround(pose_template.normals[i][k] * normal_steps));
     }
-    std::string text(sodium_base64_ENCODED_LEN(bytes.size(), base64), '\0');
-    sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                      bytes.size(), base64);
-    text.pop_back(); // the terminating zero
-    return text;
+    return to_base64(bytes);
 }
 
 std::optional<PoseTemplate> decode(std::string_view text, const Box& box) {
-    std::string bytes(text.size(), '\0');
-    std::size_t size = 0;
-    const char* end = nullptr;
-    if (sodium_base642bin(reinterpret_cast<unsigned char*>(bytes.data()), bytes.size(), text.data(),
-                          text.size(), nullptr, &size, &end, base64) != 0 ||
-        end != text.data() + text.size() || size == 0 || size % bytes_per_point != 0)
+    const std::optional<std::string> decoded = from_base64(text);
+    if (!decoded || decoded->empty() || decoded->size() % bytes_per_point != 0)
         return std::nullopt;
+    const std::string& bytes = *decoded;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     PoseTemplate result;
-    for (std::size_t at = 0; at < size; at += bytes_per_point) {
+    for (std::size_t at = 0; at < bytes.size(); at += bytes_per_point) {
         Vec3 point, normal;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto axis = static_cast<Eigen::Index>(k);

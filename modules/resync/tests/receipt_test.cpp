@@ -6,6 +6,8 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/shapes/shapes.hpp>
 
+#include "receipt_0_1.hpp"
+
 using namespace wm3d;
 using resync::Receipt;
 
@@ -60,6 +62,26 @@ TEST_CASE("a receipt reads back what was written, points to the rounding that is
     }
 }
 
+TEST_CASE("a receipt of wm3d 0.1 still reads, and still tells that it was altered") {
+    const Receipt read = resync::parse_receipt(receipt_of_0_1, "r");
+    CHECK(read.tool == "wm3d 0.1.0");
+    CHECK(read.marked == resync::digest_of("marked"));
+    CHECK(read.frame.scale == 1.0095646680450518);
+    CHECK(read.pose_template.points.size() == 12);
+    CHECK_THROWS_WITH_AS(
+        resync::parse_receipt(replaced(receipt_of_0_1, "\"gamma\": 0.07", "\"gamma\": 0.08"), "r"),
+        doctest::Contains("altered"), InputError);
+}
+
+TEST_CASE("every byte of a receipt counts, also those that mean nothing to JSON") {
+    const std::string text = resync::to_text(sample());
+    CHECK_THROWS_WITH_AS(resync::parse_receipt(text + " ", "r"), doctest::Contains("altered"), InputError);
+    CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "\"level\": 5", "\"level\":  5"), "r"),
+                         doctest::Contains("altered"), InputError);
+    CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "\"digest\": \"", "\"digest\": \"0"), "r"),
+                         doctest::Contains("altered"), InputError);
+}
+
 TEST_CASE("the digests are SHA-256") { // "abc": the example of FIPS 180-4
     CHECK(resync::digest_of("abc").sha256 ==
           "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
@@ -73,7 +95,7 @@ TEST_CASE("cut, altered, foreign and newer receipts are refused in one sentence"
                              doctest::Contains("not a complete receipt"), InputError);
     CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "\"level\": 5", "\"level\": 4"), "r"),
                          doctest::Contains("altered"), InputError);
-    CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "receipt/1", "receipt/2"), "r"),
+    CHECK_THROWS_WITH_AS(resync::parse_receipt(replaced(text, "receipt/2", "receipt/3"), "r"),
                          doctest::Contains("newer wm3d"), InputError);
     for (const char* foreign : {"{}", "[]", "3", R"({"schema": "wm3d.verify/1"})", R"({"schema": 1})"})
         CHECK_THROWS_WITH_AS(resync::parse_receipt(foreign, "r"), doctest::Contains("no receipt"),

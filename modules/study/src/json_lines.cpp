@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <wm3d/core/descriptor.hpp>
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/json_depth.hpp>
 
@@ -88,17 +89,10 @@ void JsonLines::cut(std::uintmax_t size) {
 
 void JsonLines::append(const ordered_json& line) {
     const std::string text = line.dump() + '\n';
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const ssize_t put = ::write(file_, rest.data(), rest.size());
-        if (put < 0 && errno == EINTR)
-            continue;
-        if (put < 0) {
-            const int reason = errno;
-            [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(size_));
-            fail_writing(reason);
-        }
-        rest.remove_prefix(static_cast<std::size_t>(put));
+    if (!write_all(file_, text)) {
+        const int reason = errno;
+        [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(size_));
+        fail_writing(reason);
     }
     size_ += text.size();
 }

@@ -6,6 +6,7 @@
 #include <wm3d/detect/evidence.hpp>
 #include <wm3d/detect/family.hpp>
 #include <wm3d/detect/linear_statistic.hpp>
+#include <wm3d/detect/normal_orthant.hpp>
 #include <wm3d/detect/paper.hpp>
 #include <wm3d/detect/paper_null.hpp>
 #include <wm3d/detect/reference_evidence.hpp>

@@ -3,5 +3,6 @@
 #pragma once
 
 #include <wm3d/key/key_file.hpp>
+#include <wm3d/key/passphrase.hpp>
 #include <wm3d/key/secret.hpp>
 #include <wm3d/key/stream.hpp>

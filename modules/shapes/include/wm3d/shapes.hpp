@@ -5,3 +5,4 @@
 #include <wm3d/shapes/contour.hpp>
 #include <wm3d/shapes/sample.hpp>
 #include <wm3d/shapes/shapes.hpp>
+#include <wm3d/shapes/turned.hpp>

@@ -9,6 +9,9 @@
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/mark_file.hpp>
 #include <wm3d/watermark/null_keys.hpp>
+#include <wm3d/watermark/pieces.hpp>
 #include <wm3d/watermark/receipt.hpp>
+#include <wm3d/watermark/rehearsal.hpp>
+#include <wm3d/watermark/search_suspect.hpp>
 #include <wm3d/watermark/sequences.hpp>
 #include <wm3d/watermark/verify.hpp>

@@ -23,7 +23,7 @@ FileDigest digest_of(std::string_view bytes);
 
 struct Receipt {
     /// Newest version of the format that this library reads and the one it writes.
-    static constexpr int format_version = 1;
+    static constexpr int format_version = 2;
 
     std::string tool;           ///< name and version of the program that marked
     std::string key_name;       ///< public short name of the key

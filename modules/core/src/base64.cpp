@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "base64.hpp"
+#include <wm3d/core/base64.hpp>
 
 #include <array>
 #include <cstdint>
 
-namespace wm3d::io {
+namespace wm3d {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::optional<std::string> from_base64(std::string_view text) {
     return bytes;
 }
 
-} // namespace wm3d::io
+} // namespace wm3d

@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace wm3d::io {
+namespace wm3d {
 
 std::string to_base64(std::string_view bytes);
 /// Nothing if `text` holds a character outside the alphabet or has a length that can't be.
 std::optional<std::string> from_base64(std::string_view text);
 
-} // namespace wm3d::io
+} // namespace wm3d
