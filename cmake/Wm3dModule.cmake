@@ -43,6 +43,11 @@ function(wm3d_module)
         list(APPEND headers include/wm3d/${ARG_NAME}/${header})
     endforeach()
     list(TRANSFORM ARG_SRCS PREPEND src/)
+    set(arrows ${ARG_DEPS} ${ARG_LINK})
+    list(FILTER arrows EXCLUDE REGEX "wm3d::third::")
+    list(TRANSFORM arrows REPLACE "^wm3d::" "")
+    list(JOIN arrows " " arrows)
+    set_property(GLOBAL APPEND_STRING PROPERTY WM3D_ARROWS "${ARG_NAME}: ${arrows}\n")
     list(TRANSFORM ARG_DEPS PREPEND wm3d::)
 
     # What only sources include is no concern of a program that links the installed module.

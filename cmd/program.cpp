@@ -23,6 +23,7 @@
 #include "support/streams.hpp"
 #include "support/suggest.hpp"
 #include "support/usage.hpp"
+#include "support/wrap.hpp"
 
 namespace wm3d::cmd {
 
@@ -56,20 +57,20 @@ std::string overview() {
     }
     text += "\n'wm3d COMMAND --help' explains a command; 'wm3d --version' names the version.\n"
             "Any other NAME runs the executable 'wm3d-NAME' from PATH.\n";
-    return text;
+    constexpr std::size_t summaries = 13; // column
+    return wrapped(text, help_width(), summaries);
 }
 
 int run_command(const Command& command, std::span<char* const> arguments) {
     const std::string name = fmt::format("wm3d {}", command.name);
     CLI::App app{std::string(command.summary), name};
-    app.get_formatter()->column_width(32);
     OutputOptions options;
     const Action action = declare(command, app, options);
     try {
         // CLI11 takes the arguments last first.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        write_all(STDOUT_FILENO, help_text(app));
+        write_all(STDOUT_FILENO, help_text(app, help_width()));
         return exit_done;
     } catch (const CLI::ParseError& error) {
         return Caller(name, arguments).complain(usage_complaint(app, error), ErrorCode::usage);

@@ -7,6 +7,7 @@ import os
 import pathlib
 import pty
 import random
+import re
 import struct
 import subprocess
 import sys
@@ -41,12 +42,13 @@ class InFolder(unittest.TestCase):
         return path
 
 
-def on_terminal(arguments, columns, environment):
-    """What a command writes to a terminal of some width that is its standard error."""
+def on_terminal(arguments, columns, environment, stream="stderr"):
+    """What a command writes to a terminal of some width that is one of its streams."""
     ours, theirs = pty.openpty()
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-    process = subprocess.Popen([WM3D, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                               stderr=theirs, env={**os.environ, "TERM": "xterm", **environment})
+    streams = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, stream: theirs}
+    process = subprocess.Popen([WM3D, *map(str, arguments)], stdin=subprocess.DEVNULL, **streams,
+                               env={**os.environ, "TERM": "xterm", **environment})
     os.close(theirs)
     shown = b""
     while True:
@@ -80,6 +82,18 @@ class Terminals(InFolder):
         self.assertEqual(status, 0)
         for line in shown.split("\r\033[K")[:-1]:
             self.assertLess(len(line), 20)
+
+    def test_help_fits_the_terminal(self):
+        overview = on_terminal(["--help"], 40, {}, "stdout")[1]
+        names = re.findall(r"^  ([a-z]+) ", overview, re.MULTILINE)
+        self.assertIn("verify", names)
+        for arguments in [["--help"], *([name, "--help"] for name in names)]:
+            for width, environment in ((40, {}), (66, {}), (300, {}), (300, {"COLUMNS": "50"}), (0, {})):
+                shown = on_terminal(arguments, width, environment, "stdout")[1].replace("\r", "")
+                widest = max(map(len, shown.splitlines()))
+                self.assertLessEqual(widest, min(100, int(environment.get("COLUMNS", width)) or 100), arguments)
+                words = shown.replace("\\\n", "").split()
+                self.assertEqual(words, wm3d(*arguments).stdout.decode().replace("\\\n", "").split())
 
     def test_quiet_and_dumb_terminals_see_no_progress(self):
         self.assertEqual(self.simplify(80, "-q"), (0, ""))

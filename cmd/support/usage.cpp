@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "support/suggest.hpp"
+#include "support/wrap.hpp"
 
 namespace wm3d::cmd {
 
@@ -78,7 +79,9 @@ Action declare(const Command& command, CLI::App& app, OutputOptions& options) {
     return action;
 }
 
-std::string help_text(const CLI::App& app) {
+std::string help_text(CLI::App& app, std::size_t width) {
+    const std::size_t column = help_column(width);
+    app.get_formatter()->column_width(column);
     std::string text = app.help();
     // CLI11 leaves two empty lines between groups and none above the usage.
     for (std::size_t at; (at = text.find("\n\n\n")) != std::string::npos;)
@@ -87,7 +90,7 @@ std::string help_text(const CLI::App& app) {
         text.insert(at, "\n");
     if (!text.ends_with('\n'))
         text += '\n';
-    return text;
+    return wrapped(text, width, column);
 }
 
 std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {

@@ -2,6 +2,7 @@
 /// \file  What the command lines of all commands have in common.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -17,11 +18,12 @@ class Validator;
 namespace wm3d::cmd {
 
 /// Declares all of a command: its own options, then --json, -q, -v, --threads and --help, so that the help lists
-/// those last. \return what to do once they are parsed
+/// those last.
+/// \return what to do once they are parsed
 Action declare(const Command& command, CLI::App& app, OutputOptions& options);
 
-/// The help of a command.
-std::string help_text(const CLI::App& app);
+/// The help of a command, in lines of at most `width` characters.
+std::string help_text(CLI::App& app, std::size_t width);
 
 /// What is wrong with a command line, as one sentence that says what would mend it.
 std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error);
