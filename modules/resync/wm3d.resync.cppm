@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by scripts/interface-units from the public headers, which say what everything is.
+module;
+#include <wm3d/core.hpp>
+#include <wm3d/mesh.hpp>
+#include <wm3d/resync.hpp>
+
+export module wm3d.resync;
+
+export namespace wm3d {
+using wm3d::area_vector;
+using wm3d::border_loops;
+using wm3d::border_vertices;
+using wm3d::BorderLoop;
+using wm3d::bounding_box;
+using wm3d::Box;
+using wm3d::canonical_frame;
+using wm3d::CentralMoments;
+using wm3d::check_json_depth;
+using wm3d::Descriptor;
+using wm3d::Edge;
+using wm3d::edges_of;
+using wm3d::enclosed_volume;
+using wm3d::Error;
+using wm3d::ErrorCode;
+using wm3d::evaluate;
+using wm3d::Fnv;
+using wm3d::folder_of;
+using wm3d::Frame;
+using wm3d::from_base64;
+using wm3d::GeometryError;
+using wm3d::Index;
+using wm3d::InputError;
+using wm3d::inspect_topology;
+using wm3d::is_printable;
+using wm3d::is_utf8;
+using wm3d::json_depth;
+using wm3d::Mat3;
+using wm3d::max_json_depth;
+using wm3d::mean_radius;
+using wm3d::name;
+using wm3d::Neighbours;
+using wm3d::no_index;
+using wm3d::notify;
+using wm3d::OutputError;
+using wm3d::parallel_blocks;
+using wm3d::parallel_invoke;
+using wm3d::parallel_sum;
+using wm3d::parallel_tasks;
+using wm3d::ParameterError;
+using wm3d::principal_frame;
+using wm3d::Progress;
+using wm3d::shape_moments;
+using wm3d::ShapeMoments;
+using wm3d::sign_choices;
+using wm3d::solid_moments;
+using wm3d::SolidMoments;
+using wm3d::split_mix;
+using wm3d::Substance;
+using wm3d::surface_area;
+using wm3d::surface_box;
+using wm3d::surface_moments;
+using wm3d::SurfaceMoments;
+using wm3d::SurfacePoint;
+using wm3d::sync_folder_of;
+using wm3d::thread_count;
+using wm3d::ThreadLimit;
+using wm3d::to_base64;
+using wm3d::to_frame;
+using wm3d::to_hex;
+using wm3d::Topology;
+using wm3d::Triangle;
+using wm3d::triangle_areas;
+using wm3d::TriangleMesh;
+using wm3d::Umbrella;
+using wm3d::Vec3;
+using wm3d::version;
+using wm3d::vertex_areas;
+using wm3d::vertex_normals;
+using wm3d::weld;
+using wm3d::Welded;
+using wm3d::write_all;
+} // namespace wm3d
+
+export namespace wm3d::resync {
+using wm3d::resync::Ambiguity;
+using wm3d::resync::angle_between;
+using wm3d::resync::candidate_poses;
+using wm3d::resync::CandidateOptions;
+using wm3d::resync::CandidatePose;
+using wm3d::resync::describe;
+using wm3d::resync::digest_of;
+using wm3d::resync::estimate_frame;
+using wm3d::resync::FileDigest;
+using wm3d::resync::FrameEstimate;
+using wm3d::resync::frames_before_smoothing;
+using wm3d::resync::has_registration;
+using wm3d::resync::Hierarchy;
+using wm3d::resync::HierarchyOptions;
+using wm3d::resync::LevelFrame;
+using wm3d::resync::make_hierarchy;
+using wm3d::resync::make_template;
+using wm3d::resync::moved;
+using wm3d::resync::parse_receipt;
+using wm3d::resync::PoseTemplate;
+using wm3d::resync::Receipt;
+using wm3d::resync::receipt_points;
+using wm3d::resync::register_template;
+using wm3d::resync::Registration;
+using wm3d::resync::RegistrationOptions;
+using wm3d::resync::Similarity;
+using wm3d::resync::surface_difference;
+using wm3d::resync::SurfaceDifference;
+using wm3d::resync::to_canonical;
+using wm3d::resync::to_text;
+using wm3d::resync::TrendOptions;
+} // namespace wm3d::resync

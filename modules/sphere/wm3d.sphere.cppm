@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Written by scripts/interface-units from the public headers, which say what everything is.
+module;
+#include <wm3d/mesh.hpp>
+#include <wm3d/sphere.hpp>
+
+export module wm3d.sphere;
+
+export namespace wm3d {
+using wm3d::area_vector;
+using wm3d::border_loops;
+using wm3d::border_vertices;
+using wm3d::BorderLoop;
+using wm3d::bounding_box;
+using wm3d::Box;
+using wm3d::canonical_frame;
+using wm3d::CentralMoments;
+using wm3d::Edge;
+using wm3d::edges_of;
+using wm3d::enclosed_volume;
+using wm3d::evaluate;
+using wm3d::Frame;
+using wm3d::Index;
+using wm3d::inspect_topology;
+using wm3d::Mat3;
+using wm3d::mean_radius;
+using wm3d::Neighbours;
+using wm3d::no_index;
+using wm3d::principal_frame;
+using wm3d::shape_moments;
+using wm3d::ShapeMoments;
+using wm3d::sign_choices;
+using wm3d::solid_moments;
+using wm3d::SolidMoments;
+using wm3d::Substance;
+using wm3d::surface_area;
+using wm3d::surface_box;
+using wm3d::surface_moments;
+using wm3d::SurfaceMoments;
+using wm3d::SurfacePoint;
+using wm3d::to_frame;
+using wm3d::Topology;
+using wm3d::Triangle;
+using wm3d::triangle_areas;
+using wm3d::TriangleMesh;
+using wm3d::Umbrella;
+using wm3d::Vec3;
+using wm3d::vertex_areas;
+using wm3d::vertex_normals;
+using wm3d::weld;
+using wm3d::Welded;
+} // namespace wm3d
+
+export namespace wm3d::sphere {
+using wm3d::sphere::barycentric_rows;
+using wm3d::sphere::bumped_radius;
+using wm3d::sphere::BumpedSphere;
+using wm3d::sphere::delta;
+using wm3d::sphere::half_turn_axis;
+using wm3d::sphere::half_turns;
+using wm3d::sphere::Icosphere;
+using wm3d::sphere::inversion;
+using wm3d::sphere::linear_delta;
+using wm3d::sphere::linearization_bound;
+using wm3d::sphere::max_level;
+using wm3d::sphere::multiply;
+using wm3d::sphere::multiply_transposed;
+using wm3d::sphere::SparseRows;
+using wm3d::sphere::SphereLocation;
+} // namespace wm3d::sphere
