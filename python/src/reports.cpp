@@ -27,6 +27,7 @@ py::dict marked_fields(const Marked& marked) {
     const embed::Distortion percent = watermark::percent(marked.distortion, marked.diagonal);
     py::dict fields;
     fields["vertices"] = array_of(marked.positions);
+    fields["profile"] = watermark::name(marked.profile);
     fields["base_vertices"] = marked.base_vertices;
     fields["level"] = marked.level;
     fields["rmax"] = marked.rmax;
@@ -34,6 +35,7 @@ py::dict marked_fields(const Marked& marked) {
     fields["rms_percent"] = percent.normal_rms;
     fields["vertex_rms_percent"] = percent.vertex_rms;
     fields["max_percent"] = percent.max;
+    fields["msdm2"] = marked.msdm2 ? py::object(py::float_(*marked.msdm2)) : py::none();
     return fields;
 }
 
@@ -52,6 +54,12 @@ py::dict report_fields(const VerifyReport& report) {
     fields["expected_sigmas"] = report.expected_sigmas;
     fields["predicted_miss"] = report.predicted_miss;
     fields["by_difference"] = report.by_difference;
+    fields["payload"] = py::none();
+    fields["payload_log10_p"] = py::none();
+    if (report.payload) {
+        fields["payload"] = payload::to_argument(report.payload->message);
+        fields["payload_log10_p"] = report.payload->log10_p;
+    }
     return fields;
 }
 

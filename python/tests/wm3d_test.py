@@ -69,6 +69,20 @@ class Marking(unittest.TestCase):
         marked = wm3d.mark(self.V, self.F, self.key, strength=0.02)
         self.assertAlmostEqual(marked.rms_percent, 0.02, delta=0.001)
 
+    def test_visibility_is_a_limit(self):
+        marked = wm3d.mark(self.V, self.F, self.key, visibility=0.05)
+        self.assertAlmostEqual(marked.msdm2, 0.05, delta=0.005)
+        self.assertEqual(marked.profile, "masked")
+        self.assertLess(marked.rms_percent, self.marked.rms_percent)
+
+    def test_a_payload_is_read_back(self):
+        for payload in ("Inv 4711", "0xc0ffee"):
+            marked = wm3d.mark(self.V, self.F, self.key, profile="robust", strength=0.2, payload=payload)
+            report = wm3d.verify(marked.vertices, self.F, self.key)
+            self.assertEqual(report.payload, payload)
+            self.assertLess(report.payload_log10_p, -6)
+        self.assertIsNone(wm3d.verify(self.V, self.F, self.key, effort=0).payload)
+
     def test_arrays_may_be_of_any_layout(self):
         for V, F in ((np.asfortranarray(self.V), self.F.astype(np.uint32)), (self.V[:, ::-1][:, ::-1], self.F.astype(">i8")),
                      (self.V.tolist(), self.F.tolist())):
@@ -102,6 +116,11 @@ class Files(unittest.TestCase):
             self.assertEqual(wm3d.verify(mesh.vertices, mesh.faces, key).verdict, "present")
             with self.assertRaisesRegex(wm3d.OutputError, "exists"):
                 wm3d.mark_file(source, target, key)
+            receipt = pathlib.Path(name, "a.receipt")
+            wm3d.mark_file(source, target, key, receipt=receipt, overwrite=True)
+            part = mesh.faces[mesh.vertices[mesh.faces].mean(1)[:, 0] < 0.8]
+            report = wm3d.verify(mesh.vertices, part, key, receipt=receipt, search="never")
+            self.assertEqual((report.verdict, report.pose.startswith("receipt")), ("present", True), report)
 
     def test_keys(self):
         with tempfile.TemporaryDirectory() as name:
@@ -114,6 +133,15 @@ class Files(unittest.TestCase):
             self.assertIn(key.fingerprint, repr(key))
             with self.assertRaises(wm3d.OutputError):
                 key.save(path)
+
+    def test_a_passphrase_opens_its_key(self):
+        with tempfile.TemporaryDirectory() as name:
+            key, path = wm3d.Key.generate("shop"), pathlib.Path(name, "a.key")
+            key.save(path, passphrase="open sesame")
+            self.assertEqual(wm3d.Key.load(path, passphrase="open sesame").fingerprint, key.fingerprint)
+            for passphrase in (None, "sesame"):
+                with self.assertRaises(wm3d.InputError):
+                    wm3d.Key.load(path, passphrase)
 
 
 class Mistakes(unittest.TestCase):
@@ -144,10 +172,15 @@ class Mistakes(unittest.TestCase):
     def test_settings(self):
         key = wm3d.Key.generate()
         for keywords in ({"pf": 0}, {"pf": float("nan")}, {"strength": -1}, {"gamma": float("inf")}, {"rmax": 0},
-                         {"strength": 1, "gamma": 1}, {"level": 99}):
+                         {"strength": 1, "gamma": 1}, {"strength": 1, "visibility": 0.1}, {"level": 99}, {"visibility": 2},
+                         {"profile": "loud"}, {"payload": ""}, {"payload": "x" * 17}, {"payload": "0xg"}):
             self.complaint(wm3d.ParameterError, "bad_parameter", *bumpy_torus(20, 12), key, **keywords)
         with self.assertRaises(TypeError):
             wm3d.mark(self.V, self.F, "a key")
+        for keywords in ({"search": "perhaps"}, {"effort": -1}, {"pf": 1}):
+            self.complaint(wm3d.ParameterError, "bad_parameter", *bumpy_torus(20, 12), key, function=wm3d.verify, **keywords)
+        self.complaint(wm3d.InputError, "unreadable_input", *bumpy_torus(20, 12), key, function=wm3d.verify,
+                       receipt="/nowhere/a.receipt")
 
     def test_files(self):
         sentence = self.complaint(wm3d.InputError, "unreadable_input", "/nowhere/a.ply", function=wm3d.read)

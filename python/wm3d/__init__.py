@@ -46,6 +46,7 @@ class Marked:
     """A marked mesh: other positions for the same faces. Percentages are of the bounding box's diagonal."""
 
     vertices: npt.NDArray[np.float64]  # (n, 3)
+    profile: Literal["masked", "robust", "paper"]
     base_vertices: int  # that carry the mark
     level: int  # of the watermarking sphere
     rmax: float
@@ -53,6 +54,7 @@ class Marked:
     rms_percent: float  # of the moves along the surface normal, weighted by area
     vertex_rms_percent: float
     max_percent: float
+    msdm2: Optional[float]  # what is seen of it, one-sided, where it was measured
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,6 +74,8 @@ class Report:
     expected_sigmas: float  # of a mark of the usual strength
     predicted_miss: float
     by_difference: bool  # the difference from the reference decided
+    payload: Optional[str]  # a text, or digits after 0x; None where none is read
+    payload_log10_p: Optional[float]  # of the probability, at most, that a random key would show any
 
 
 @dataclasses.dataclass(frozen=True)
@@ -89,45 +93,60 @@ def read(path: Path, format: Optional[str] = None) -> Mesh:
     return Mesh(*_core.read(path, format))
 
 
-def mark(V: npt.ArrayLike, F: npt.ArrayLike, key: Key, *, strength: Optional[float] = None,
-         gamma: Optional[float] = None, base_vertices: Optional[int] = None, level: Optional[int] = None,
+Profile = Literal["masked", "robust", "paper"]
+
+
+def mark(V: npt.ArrayLike, F: npt.ArrayLike, key: Key, *, visibility: Optional[float] = None,
+         strength: Optional[float] = None, gamma: Optional[float] = None, profile: Profile = "masked",
+         payload: Optional[str] = None, base_vertices: Optional[int] = None, level: Optional[int] = None,
          rmax: Optional[float] = None, pf: float = 1e-6, progress: Optional[Progress] = None) -> Marked:
     """Hides the key's mark in a mesh. The same mesh, key and settings give the same bytes.
 
-    strength       root mean square move along the surface normal, % of the bounding box's diagonal
+    visibility     one-sided MSDM2 that the mark keeps to; 0.1 where nothing else is said
+    strength       root mean square move along the surface normal, % of the bounding box's diagonal, instead
     gamma          strength as gamma of the paper's eq. (3), instead
+    profile        how the mark is laid out
+    payload        what it says besides: up to 16 bytes of text, or up to 32 digits after 0x
     base_vertices  of the base domain
     level          of the watermarking sphere, one of the key's
     rmax           height of the bumps
     pf             false-positive probability at which the mark is to be found again
     """
-    return Marked(**_core.mark(np.asarray(V), np.asarray(F), key, strength=strength, gamma=gamma,
-                               base_vertices=base_vertices, level=level, rmax=rmax, pf=pf, progress=progress))
+    return Marked(**_core.mark(np.asarray(V), np.asarray(F), key, visibility=visibility, strength=strength, gamma=gamma,
+                               profile=profile, payload=payload, base_vertices=base_vertices, level=level, rmax=rmax, pf=pf,
+                               progress=progress))
 
 
-def verify(V: npt.ArrayLike, F: npt.ArrayLike, key: Key, *, pf: float = 1e-6,
-           reference: Optional[Tuple[npt.ArrayLike, npt.ArrayLike]] = None, base_vertices: Optional[int] = None,
-           progress: Optional[Progress] = None) -> Report:
+def verify(V: npt.ArrayLike, F: npt.ArrayLike, key: Key, *, pf: float = 1e-6, receipt: Optional[Path] = None,
+           reference: Optional[Tuple[npt.ArrayLike, npt.ArrayLike]] = None,
+           search: Literal["when_needed", "never", "always"] = "when_needed", effort: float = 1,
+           base_vertices: Optional[int] = None, progress: Optional[Progress] = None) -> Report:
     """Says whether the key's mark is in a mesh, with the exact probability that a random key scores like this on it.
 
     pf             false-positive probability of the verdict
+    receipt        file that mark_file wrote: finds cut and ambiguous copies
     reference      the unmarked original, (V, F): align with it and look at the difference too
+    search         whether every pose is searched where a quick look finds nothing
+    effort         of that search: 1 takes a minute or two on two cores, 0 makes none
     base_vertices  to simplify the suspect to
     """
     original = None if reference is None else (np.asarray(reference[0]), np.asarray(reference[1]))
-    return Report(**_core.verify(np.asarray(V), np.asarray(F), key, pf=pf, reference=original,
-                                 base_vertices=base_vertices, progress=progress))
+    return Report(**_core.verify(np.asarray(V), np.asarray(F), key, pf=pf, receipt=receipt, reference=original,
+                                 search=search, effort=effort, base_vertices=base_vertices, progress=progress))
 
 
-def mark_file(source: Path, target: Path, key: Key, *, strength: Optional[float] = None, gamma: Optional[float] = None,
-              base_vertices: Optional[int] = None, level: Optional[int] = None, rmax: Optional[float] = None,
+def mark_file(source: Path, target: Path, key: Key, *, visibility: Optional[float] = None,
+              strength: Optional[float] = None, gamma: Optional[float] = None, profile: Profile = "masked",
+              payload: Optional[str] = None, base_vertices: Optional[int] = None, level: Optional[int] = None, rmax: Optional[float] = None,
               pf: float = 1e-6, receipt: Optional[Path] = None, overwrite: bool = False,
               progress: Optional[Progress] = None) -> MarkedFile:
     """Marks a mesh file and verifies it before it is written. Only coordinates change; every other byte stays.
 
     receipt    also write what finds cut or ambiguous copies again
     overwrite  replace files that exist
+
+    The others are as in mark.
     """
-    result = _core.mark_file(source, target, key, strength=strength, gamma=gamma, base_vertices=base_vertices, level=level,
-                             rmax=rmax, pf=pf, receipt=receipt, overwrite=overwrite, progress=progress)
+    result = _core.mark_file(source, target, key, visibility=visibility, strength=strength, gamma=gamma, profile=profile,
+                             payload=payload, base_vertices=base_vertices, level=level, rmax=rmax, pf=pf, receipt=receipt, overwrite=overwrite, progress=progress)
     return MarkedFile(result["written"], result["reason"], Marked(**result["marked"]), Report(**result["check"]))
