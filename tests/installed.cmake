@@ -25,9 +25,21 @@ if(NOT WM3D_SANITIZE) # whose libraries need programs that are built alike
             ${stage}/${CMAKE_INSTALL_LIBDIR}/pkgconfig ${PROJECT_SOURCE_DIR}/examples/mark_file.cpp
             ${CMAKE_CURRENT_BINARY_DIR} $<TARGET_FILE:wm3d>)
     set_tests_properties("installed: pkg-config" PROPERTIES FIXTURES_REQUIRED installed)
+    add_test(NAME "installed: import"
+        COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/imported.sh ${PROJECT_SOURCE_DIR} ${stage} ${CMAKE_CURRENT_BINARY_DIR}/import)
+    set_tests_properties("installed: import" PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600
+        SKIP_REGULAR_EXPRESSION "SKIPPED:")
     wm3d_consumer_test("embedded: add_subdirectory" ${CMAKE_CURRENT_SOURCE_DIR}/embedded parts
-        -DWM3D_SOURCE=${PROJECT_SOURCE_DIR})
+        -DWM3D_SOURCE=${PROJECT_SOURCE_DIR} -DWM3D_WITHOUT=${WM3D_WITHOUT} -DWM3D_RESYNC=${WM3D_RESYNC})
 endif()
 
+if(WM3D_COMMANDS AND NOT WM3D_SANITIZE)
+    add_test(NAME "packaged: Debian"
+        COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/packaged.sh ${CMAKE_CPACK_COMMAND} ${PROJECT_BINARY_DIR}
+            ${CMAKE_CURRENT_BINARY_DIR}/packaged)
+    set_tests_properties("packaged: Debian" PROPERTIES TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED:")
+endif()
+add_test(NAME "interface units export what the headers declare"
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/scripts/interface-units --check)
 add_test(NAME "docs: library.md shows the examples that are built"
     COMMAND Python3::Interpreter ${CMAKE_CURRENT_SOURCE_DIR}/library_doc.py ${PROJECT_SOURCE_DIR})
