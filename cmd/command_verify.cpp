@@ -437,12 +437,12 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
 
 Action declare_verify(CLI::App& app) {
     const auto arguments = std::make_shared<VerifyArguments>();
-    app.description("Says whether the mark of a key is in a mesh: present, absent, or inconclusive where the "
+    app.description("Says whether a key's mark is in a mesh: present, absent, or inconclusive where the "
                     "mesh can't tell.\n"
                     "The probability that it names is exact for this very mesh: how often a random key "
                     "scores like this.\n"
-                    "Needs the key file alone, for cut copies and pieces of scenes too; a receipt or the "
-                    "original find more.\n"
+                    "Needs the key file alone, for cut copies and pieces of scenes too; a receipt or "
+                    "original finds more.\n"
                     "Exit status: 0 present, 1 absent, 3 inconclusive, 2 error.");
     add_options(app, *arguments);
     app.footer("Examples:\n  wm3d verify suspect.obj --key museum.key\n"

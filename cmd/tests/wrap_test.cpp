@@ -26,7 +26,7 @@ TEST_CASE("a description goes on below itself") {
 
 TEST_CASE("commands stay commands: lines go on after a backslash, quoted words stay whole") {
     CHECK(wrapped("Example:\n  wm3d keygen museum.key --name 'City Museum, 2024'\n", 40, 16) ==
-          "Example:\n  wm3d keygen museum.key \\\n      --name 'City Museum, 2024'\n");
+          "Example:\n  wm3d keygen museum.key --name \\\n      'City Museum, 2024'\n");
     CHECK(wrapped("Lists:\n  a b c d e f\n", 8, 99) == "Lists:\n  a b c\n    d e\n    f\n");
 }
 
