@@ -37,7 +37,8 @@ class Resume(outside.InFolder):
             self.sample(8000)
         shutil.copy(source, folder / "sample.ply")
         return folder, [outside.WM3D, "bench", "-q", "--models", "sample.ply", "--out", "results", "--mrms", "0.05,0.1",
-                        "--keys", str(keys), "--wrong-keys", "4", "--attacks", attacks, *more]
+                        "--keys", str(keys), "--wrong-keys", "4", "--attacks", attacks,
+                        "--effort", "0.004", *more]  # how far it searches doesn't matter here
 
     def finish(self, name, *more, **options):
         folder, command = self.run_in(name, *more, **options)

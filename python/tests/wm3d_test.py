@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The package from outside. Needs numpy."""
+import ast
 import dataclasses
 import gc
 import os
 import pathlib
+import re
 import signal
 import tempfile
 import threading
@@ -187,6 +189,32 @@ class Mistakes(unittest.TestCase):
         self.assertIn("/nowhere/a.ply", sentence)
         self.complaint(wm3d.InputError, "malformed_input", __file__, function=wm3d.Key.load)
         self.complaint(wm3d.ParameterError, "bad_parameter", __file__, "text", function=wm3d.read)
+
+
+class Stubs(unittest.TestCase):
+    """The types that editors and checkers read are those of the compiled module."""
+
+    @staticmethod
+    def taken(function):
+        """Names of the arguments, as pybind11 tells them in the first line of the docstring."""
+        return [name for name in re.findall(r"[(,] ?(\w+):", function.__doc__.splitlines()[0]) if name != "self"]
+
+    @staticmethod
+    def declared(node):
+        return [argument.arg for argument in node.args.args + node.args.kwonlyargs if argument.arg != "self"]
+
+    def test_every_function_is_declared_with_its_arguments(self):
+        tree = ast.parse(pathlib.Path(wm3d.__file__).with_name("_core.pyi").read_text(encoding="utf-8"))
+        functions = {node.name: node for node in tree.body if isinstance(node, ast.FunctionDef)}
+        self.assertEqual(set(functions), {name for name, value in vars(wm3d._core).items()
+                                          if callable(value) and not isinstance(value, type)})
+        for name, node in functions.items():
+            self.assertEqual(self.declared(node), self.taken(getattr(wm3d._core, name)), name)
+        key = next(node for node in tree.body if isinstance(node, ast.ClassDef) and node.name == "Key")
+        members = {node.name: node for node in key.body if isinstance(node, ast.FunctionDef)}
+        self.assertEqual(set(members), {name for name in vars(wm3d.Key) if not name.startswith("_")})
+        for name in ("generate", "load", "save"):
+            self.assertEqual(self.declared(members[name]), self.taken(getattr(wm3d.Key, name)), name)
 
 
 class Patience(unittest.TestCase):
