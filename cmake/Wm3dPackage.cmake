@@ -20,8 +20,9 @@ set(CPACK_DEBIAN_COMMANDS_PACKAGE_NAME wm3d)
 set(CPACK_DEBIAN_COMMANDS_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMANDS_PACKAGE_SUGGESTS gnuplot-nox) # draws plots of analyze and bench
 set(CPACK_COMPONENT_COMMANDS_DESCRIPTION
-    "Hides an owner's mark in the geometry of a 3D mesh and later tells, from a copy and the owner's key alone, whether the "
-    "mark is there, with an exact false-positive probability.")
+"Hides an owner's mark in the geometry of a 3D mesh and later tells, from
+a copy and the owner's key alone, whether the mark is there, with an exact
+false-positive probability.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libwm3d-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -33,7 +34,8 @@ endforeach()
 list(SORT debian_needs)
 list(JOIN debian_needs ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-    "Headers and static libraries to mark and verify 3D meshes from C++20 programs, found by CMake and pkg-config.")
+"Headers and static libraries to mark and verify 3D meshes from C++20
+programs, found by CMake and pkg-config.")
 
 if(WM3D_PYTHON)
     list(APPEND CPACK_COMPONENTS_ALL python)
@@ -44,14 +46,8 @@ if(WM3D_PYTHON)
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Marks and verifies 3D meshes given as numpy arrays.")
 endif()
 
-# Descriptions were lists only for the sake of short lines.
-foreach(component COMMANDS DEVELOPMENT PYTHON)
-    string(REPLACE ";" "" CPACK_COMPONENT_${component}_DESCRIPTION "${CPACK_COMPONENT_${component}_DESCRIPTION}")
-endforeach()
-
 # What Debian wants of every package: its copyright and changelog, compressed as the manual pages are.
-set(CPACK_PROJECT_CONFIG_FILE "")
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_LIST_DIR}/debian/documents.cmake)
 set(CPACK_WM3D_COPYRIGHT ${CMAKE_CURRENT_LIST_DIR}/debian/copyright)
-set(CPACK_WM3D_CHANGELOG ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
+set(CPACK_WM3D_NEWS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 include(CPack)

@@ -43,7 +43,7 @@ PATH=$PATH:/usr/sbin:/sbin
 dpkg --root="$root" --force-not-root --force-depends --force-script-chrootless --log="$folder/dpkg.log" \
     -i "$folder"/packages/*.deb >"$folder/dpkg.out" 2>&1 || fail "$(cat "$folder/dpkg.out")"
 for file in share/man/man1/wm3d.1.gz share/bash-completion/completions/wm3d include/wm3d/wm3d.hpp \
-    share/doc/wm3d/copyright share/doc/libwm3d-dev/copyright share/doc/wm3d/changelog.gz; do
+    share/doc/wm3d/copyright share/doc/libwm3d-dev/copyright share/doc/wm3d/NEWS.gz; do
     [ -f "$root/usr/$file" ] || fail "the packages lack $file"
 done
 
@@ -58,7 +58,7 @@ if "$wm3d" verify -q sample.ply --key owner.key >original.txt; then
 fi
 
 if command -v lintian >/dev/null; then
-    lintian --fail-on error --suppress-tags bogus-mail-host-in-debian-changelog "$folder"/packages/*.deb ||
+    lintian --fail-on error "$folder"/packages/*.deb ||
         fail "lintian found errors"
 fi
 
