@@ -432,7 +432,7 @@ Action declare_bench(CLI::App& app) {
     app.footer("Examples:\n  wm3d bench --models scans --out results\n"
                "  wm3d bench --models bunny.ply horse.ply --out results --mrms 0.02,0.08 --pf 1e-6,1e-9\n"
                "  wm3d bench --models scans --out quick --keys 1 --attacks "
-               "noise:0.3,smoothing:30,simplification:90");
+               "noise:0.3,smoothing:30");
     return [arguments](Output& output) { return run(*arguments, output); };
 }
 

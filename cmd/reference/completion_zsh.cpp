@@ -62,7 +62,7 @@ std::string zsh_completion(std::span<const Page> pages) {
     out += "        'help:explain a command'\n    )\n    if (( CURRENT == 2 )); then\n"
            "        _describe -t commands 'command' commands\n        _arguments";
     for (const Option& option : program_options())
-        out += " " + option_specification(option);
+        out.append(" ").append(option_specification(option));
     out += "\n        return\n    fi\n    local command=$words[2]\n    shift words\n    (( CURRENT-- ))\n"
            "    case $command in\n        help) _describe -t commands 'command' commands ;;\n";
     for (const Page& page : pages) {

@@ -72,7 +72,7 @@ std::string prose(const std::string& text) {
 std::string usage_of(const Option& option) {
     std::string text = bold(option.names.back());
     if (!option.value.empty())
-        text += " " + italic(option.value);
+        text += fmt::format(" {}", italic(option.value));
     return text;
 }
 
@@ -93,7 +93,7 @@ std::string entry(const Option& option) {
     for (const std::string& name : option.names)
         names += (names.empty() ? "" : ", ") + (name.starts_with('-') ? bold(name) : italic(name));
     if (!option.value.empty() && option.names.front().starts_with('-'))
-        names += " " + italic(option.value);
+        names += fmt::format(" {}", italic(option.value));
     std::string text = literal(option.help);
     if (!option.choices.empty())
         text += fmt::format(":\n{}", literal(fmt::format("{}", fmt::join(option.choices, ", "))));
