@@ -17,10 +17,6 @@ namespace {
 /// Half cotangents outside this range come from slivers and would only spoil the condition of the system.
 constexpr double least_weight = 1e-6, most_weight = 50;
 
-/// Residual of the solver, relative to the right-hand side. A mark moves a vertex by a thousandth of the mean
-/// radius; an error of the filter can cost a little power but never a wrong probability, which is exact for
-/// any coefficients.
-constexpr double tolerance = 3e-6;
 constexpr int most_steps = 1000;
 
 /// Half the cotangents of a triangle's angles, each the weight of the edge across.
@@ -92,7 +88,7 @@ SymmetricRows cotangent_laplacian(const TriangleMesh& mesh) {
 /// (M + tL)^-1 M x for K vectors.
 template<std::size_t K>
 void low_pass_together(const Diffusion& system, std::span<const std::vector<double>> vectors,
-                       std::span<std::vector<double>> smooth) {
+                       std::span<std::vector<double>> smooth, double tolerance) {
     const std::size_t n = system.mass.size();
     Together<K> y(n), x(n);
     for (std::size_t i = 0; i < n; ++i)
@@ -137,7 +133,7 @@ std::span<const double> SurfaceFilter::mass() const {
 }
 
 std::vector<std::vector<double>>
-SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vectors) const {
+SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vectors, double tolerance) const {
     const Diffusion system = operators_->system(t);
     std::vector<std::vector<double>> smooth(vectors.size());
     // The coordinates of a surface come three at a time.
@@ -145,10 +141,11 @@ SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vector
         const std::span from(vectors.data() + begin, end - begin);
         const std::span to(smooth.data() + begin, end - begin);
         if (from.size() == 3)
-            low_pass_together<3>(system, from, to);
+            low_pass_together<3>(system, from, to, tolerance);
+        else if (from.size() == 2)
+            low_pass_together<2>(system, from, to, tolerance);
         else
-            for (std::size_t k = 0; k < from.size(); ++k)
-                low_pass_together<1>(system, from.subspan(k, 1), to.subspan(k, 1));
+            low_pass_together<1>(system, from, to, tolerance);
     });
     return smooth;
 }
@@ -157,7 +154,7 @@ std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const
     Together<1> right(y.size()), x(y.size(), std::array{0.0});
     for (std::size_t i = 0; i < y.size(); ++i)
         right[i][0] = y[i];
-    solve(operators_->system(t), right, x, tolerance, most_steps);
+    solve(operators_->system(t), right, x, usual_tolerance, most_steps);
     std::vector<double> result(y.size());
     for (std::size_t i = 0; i < result.size(); ++i)
         result[i] = operators_->mass[i] * x[i][0];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace wm3d::masking {
 
@@ -14,36 +15,61 @@ constexpr double usual_slope = 0.7, least_slope = 0.2, most_slope = 1.5;
 /// Below it MSDM2 is the rounding of its own arithmetic.
 constexpr double nothing = 1e-9;
 
-metrics::Msdm2Options sampled(std::size_t most_windows) {
-    metrics::Msdm2Options options;
-    options.most_windows = most_windows;
-    return options;
-}
-
 } // namespace
 
 Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options)
-    : mesh_(mesh), options_(options), tree_(mesh), msdm2_(tree_, sampled(options.most_windows)) {}
+    : mesh_(mesh), options_(options), tree_(mesh), msdm2_(tree_) {}
 
-double Budget::visible(const std::vector<Vec3>& positions) const {
+/// Windows at vertices of the moved mesh; all of them, and exactly, where they are not more.
+metrics::Msdm2Sample Budget::look(const std::vector<Vec3>& positions, std::size_t windows) const {
     const TriangleMesh marked{positions, mesh_.triangles};
-    return metrics::msdm2_mean(marked, msdm2_.field(marked));
+    if (positions.size() > windows)
+        return msdm2_.sample(marked, windows);
+    metrics::Msdm2Sample all;
+    all.local = msdm2_.field(marked);
+    all.mean = metrics::msdm2_mean(marked, all.local);
+    all.vertices.resize(positions.size());
+    std::iota(all.vertices.begin(), all.vertices.end(), Index{0});
+    return all;
 }
 
-double Budget::estimate(const std::vector<Vec3>& positions) const {
-    return msdm2_.distance({positions, mesh_.triangles});
+std::size_t Budget::final_windows() const {
+    return mesh_.positions.size() > options_.most_windows ? options_.windows : options_.most_windows;
+}
+
+double Budget::visible(const std::vector<Vec3>& positions) const {
+    return look(positions, final_windows()).mean;
 }
 
 Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
+    Fit fit;
+    fit.strength = guess;
+    if (mesh_.positions.size() > options_.rough_windows) {
+        constexpr double near = 0.03; // of the budget
+        approach(fit, mark, budget, options_.rough_windows, near);
+        if (!(fit.strength > 0))
+            fit.strength = guess;
+    }
+    approach(fit, mark, budget, final_windows(), options_.tolerance);
+    return fit;
+}
+
+/// From the strength of `fit` to the largest one tried whose MSDM2, as so many windows tell it, keeps to the
+/// budget.
+void Budget::approach(Fit& fit, const MarkOfStrength& mark, double budget, std::size_t windows,
+                      double tolerance) const {
+    if (mesh_.positions.size() > windows)
+        budget *= 1 - options_.sampling_margin;
     const double aim = options_.aim * budget;
-    Fit best, previous;
-    double strength = guess, slope = usual_slope, too_weak = 0, too_strong = 0;
+    Fit best{0, 0, fit.evaluations, false}, previous;
+    double strength = fit.strength, slope = usual_slope, too_weak = 0, too_strong = 0;
     for (std::size_t k = 1; k <= options_.most_evaluations && std::isfinite(strength); ++k) {
-        const Fit tried{strength, estimate(mark(strength)), k, false};
+        const Fit tried{strength, look(mark(strength), windows).mean, k, false};
+        ++fit.evaluations;
         if (tried.msdm2 <= budget && tried.msdm2 >= best.msdm2)
             best = tried;
-        best.evaluations = k;
-        best.reached = std::abs(best.msdm2 - aim) <= options_.tolerance * budget;
+        best.evaluations = fit.evaluations;
+        best.reached = std::abs(best.msdm2 - aim) <= tolerance * budget;
         if (best.reached || !(tried.msdm2 > nothing))
             break;
         (tried.msdm2 < aim ? too_weak : too_strong) = strength;
@@ -57,38 +83,24 @@ Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
         if (too_weak > 0 && too_strong > 0 && !(strength > too_weak && strength < too_strong))
             strength = std::sqrt(too_weak * too_strong);
     }
-    if (mesh_.positions.size() > options_.most_windows && best.strength > 0)
-        confirm(best, mark, budget);
-    return best;
-}
-
-/// A share of the windows may have told a little less than all of them.
-void Budget::confirm(Fit& fit, const MarkOfStrength& mark, double budget) const {
-    constexpr int most_corrections = 3;
-    for (int k = 0;; ++k) {
-        fit.msdm2 = visible(mark(fit.strength));
-        ++fit.evaluations;
-        if (fit.msdm2 <= budget || k == most_corrections)
-            break;
-        fit.strength *= std::pow(options_.aim * budget / fit.msdm2, 1 / usual_slope);
-    }
-    fit.reached = fit.msdm2 <= budget;
+    fit = best;
 }
 
 void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
     constexpr int most_trials = 3;
     constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
     double strength = guess;
-    for (int k = 1;; ++k) {
-        const TriangleMesh marked{trial(strength), mesh_.triangles};
-        const std::vector<double> seen = msdm2_.field(marked);
-        const double msdm2 = metrics::msdm2_mean(marked, seen);
+    for (int k = 1; k < most_trials; ++k) {
+        const double msdm2 = look(trial(strength), options_.rough_windows).mean;
         if (!(msdm2 > nothing))
             return;
-        if (k == most_trials || std::abs(msdm2 / budget - 1) <= near)
-            return carriers.equalize(seen, msdm2);
+        if (std::abs(msdm2 / budget - 1) <= near)
+            break;
         strength *= std::pow(budget / msdm2, 1 / usual_slope);
     }
+    const metrics::Msdm2Sample seen = look(trial(strength), options_.windows);
+    if (seen.mean > nothing)
+        carriers.equalize(seen.vertices, seen.local, seen.mean);
 }
 
 } // namespace wm3d::masking

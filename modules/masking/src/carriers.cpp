@@ -10,6 +10,9 @@ namespace wm3d::masking {
 
 namespace {
 
+/// Of averages that weigh the mask.
+constexpr double spread_tolerance = 1e-4;
+
 /// Median over the vertices that have an area.
 double typical_value(std::span<const double> x, std::span<const double> area) {
     std::vector<double> used;
@@ -50,7 +53,7 @@ std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Ve
 std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter& surface, double t) {
     for (double& value : x)
         value *= value;
-    std::vector<double> result = surface.low_pass(t, {std::move(x)}).front();
+    std::vector<double> result = surface.low_pass(t, {std::move(x)}, spread_tolerance).front();
     for (double& value : result)
         value = std::sqrt(std::max(value, 0.0));
     return result;
@@ -92,14 +95,21 @@ std::vector<double> Carriers::moves(const sphere::SparseRows& rows, std::span<co
     return x;
 }
 
-void Carriers::equalize(std::span<const double> seen, double target) {
+void Carriers::equalize(std::span<const Index> vertices, std::span<const double> seen, double target) {
     constexpr double least_seen = 0.02; // of the target: what is seen less is not told apart
     constexpr double weakest = 0.04, strongest = 5;
-    const std::vector<double> around =
-        surface_.low_pass(options_.spread_t, {{seen.begin(), seen.end()}}).front();
-    for (std::size_t i = 0; i < mask_.size(); ++i)
-        mask_[i] *=
-            std::clamp(std::sqrt(target / std::max(around[i], least_seen * target)), weakest, strongest);
+    constexpr double nowhere = 1e-4; // share of sampled vertices around, as good as none
+    std::vector<double> there(mask_.size(), 0.0), known(mask_.size(), 0.0);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        there[vertices[i]] = seen[i];
+        known[vertices[i]] = 1;
+    }
+    const std::vector<std::vector<double>> spread =
+        surface_.low_pass(options_.spread_t, {std::move(there), std::move(known)}, spread_tolerance);
+    for (std::size_t i = 0; i < mask_.size(); ++i) {
+        const double around = spread[1][i] > nowhere ? spread[0][i] / spread[1][i] : target;
+        mask_[i] *= std::clamp(std::sqrt(target / std::max(around, least_seen * target)), weakest, strongest);
+    }
     limit();
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <doctest/doctest.h>
 
@@ -95,7 +96,9 @@ TEST_CASE("equalizing weakens what is seen and strengthens what is not") {
     std::vector<double> seen(before.size());
     for (std::size_t i = 0; i < seen.size(); ++i)
         seen[i] = mesh.positions[i].x() > 0 ? 0.4 : 0.025;
-    carriers.equalize(seen, 0.1);
+    std::vector<Index> all(seen.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    carriers.equalize(all, seen, 0.1);
     for (std::size_t i = 0; i < seen.size(); ++i) {
         if (mesh.positions[i].x() > 0.3)
             CHECK(carriers.mask()[i] == doctest::Approx(0.5 * before[i]).epsilon(0.05));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
@@ -21,8 +22,10 @@ using PerScale = std::array<double, 3>;
 /// around the vertex, over the edges that a walk outwards from the vertex takes; the eigenvalue of least
 /// magnitude belongs to the normal and is left out. Near borders, where the ball holds less than a disc, the
 /// figure is too low.
+/// \param wanted  vertices, #V, that a curvature is wanted of; empty: of all. The others have 0.
 /// \pre  radii > 0, and `angles` are the `edge_angles`
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                           const std::vector<double>& angles, const PerScale& radii);
+                                           const std::vector<double>& angles, const PerScale& radii,
+                                           std::span<const char> wanted = {});
 
 } // namespace wm3d::metrics

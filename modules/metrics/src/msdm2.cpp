@@ -2,6 +2,7 @@
 #include <wm3d/metrics/msdm2.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <span>
@@ -19,6 +20,17 @@ namespace wm3d::metrics {
 namespace {
 
 constexpr std::size_t vertex_block = 1024;
+
+/// Windows of one parallel task, if not more: each task has marks for all vertices.
+constexpr std::size_t window_block = 256;
+
+/// Of windows at every k-th vertex with such a k, marking what they reach costs less than it saves.
+constexpr std::size_t far_apart = 64;
+
+double longest_side(const TriangleMesh& mesh) {
+    const Box box = surface_box(mesh);
+    return (box.max - box.min).maxCoeff();
+}
 
 PerScale times(double factor, const PerScale& values) {
     return {factor * values[0], factor * values[1], factor * values[2]};
@@ -68,7 +80,8 @@ struct Msdm2::Prepared {
     std::vector<double> angles; ///< of its edges
 
     Prepared(const SurfaceTree& surface, const Msdm2Options& chosen)
-        : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)) {}
+        : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)),
+          own_side(longest_side(surface.mesh())) {}
 
     /// Distance of each vertex of the reference from the triangles that it doesn't belong to, #V; 0 where it
     /// belongs to none.
@@ -77,13 +90,34 @@ struct Msdm2::Prepared {
     /// The reference's point closest to where its vertex went.
     ClosestPoint match(Index vertex, const Vec3& moved) const;
 
-    /// Curvatures and matches of the vertices; S is `side`.
-    std::vector<WindowSample> samples(const TriangleMesh& distorted, const EdgeGraph& around,
-                                      double side) const;
+    /// The reference's curvatures for S = `side`.
+    std::vector<PerScale> curvatures(double side) const {
+        return curvature_magnitudes(tree.mesh(), graph, angles, curvature_radii(side));
+    }
 
-    /// Local distances at every k-th used vertex, with k = `stride`.
-    std::vector<double> local(const TriangleMesh& distorted, const EdgeGraph& around,
-                              const std::vector<Index>& used, std::size_t stride) const;
+    /// For the reference's own S, `own_side`.
+    const std::vector<PerScale>& own_curvatures() const;
+
+    /// Curvatures and matches of the vertices, or of those wanted; S is `side`.
+    std::vector<WindowSample> samples(const TriangleMesh& distorted, const EdgeGraph& around, double side,
+                                      const std::vector<PerScale>& of_reference,
+                                      std::span<const char> wanted) const;
+
+    /// Local distances at vertices; S is `side`.
+    std::vector<double> local(const TriangleMesh& distorted, const EdgeGraph& around, double side,
+                              const std::vector<PerScale>& of_reference, const std::vector<Index>& vertices,
+                              std::span<const char> wanted = {}) const;
+
+    /// Local distances at vertices, as published: S is that of the distorted mesh.
+    std::vector<double> published(const TriangleMesh& distorted, const EdgeGraph& around,
+                                  const std::vector<Index>& vertices) const {
+        const double side = longest_side(distorted);
+        return local(distorted, around, side, curvatures(side), vertices);
+    }
+
+    /// Whether each vertex, #V, is in reach of windows at some; S is that of the reference.
+    std::vector<char> reached(const TriangleMesh& distorted, const EdgeGraph& around,
+                              const std::vector<Index>& vertices) const;
 
     /// Calls measure with the edges of a mesh, which may be those of the reference.
     template<typename Measure>
@@ -94,10 +128,22 @@ struct Msdm2::Prepared {
         return measure(EdgeGraph(distorted));
     }
 
+    double own_side;
+
 private:
-    mutable std::once_flag cleared_;
-    mutable std::vector<double> clearances_; ///< made at first need
+    PerScale curvature_radii(double side) const {
+        return times(side * options.curvature_ratio, options.scales);
+    }
+
+    mutable std::once_flag cleared_, curved_;
+    mutable std::vector<double> clearances_;       ///< made at first need
+    mutable std::vector<PerScale> own_curvatures_; ///< the same
 };
+
+const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
+    std::call_once(curved_, [&] { own_curvatures_ = curvatures(own_side); });
+    return own_curvatures_;
+}
 
 const std::vector<double>& Msdm2::Prepared::clearances() const {
     std::call_once(cleared_, [&] {
@@ -124,17 +170,18 @@ ClosestPoint Msdm2::Prepared::match(Index vertex, const Vec3& moved) const {
 }
 
 std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
-                                                   double side) const {
-    const PerScale radii = times(side * options.curvature_ratio, options.scales);
-    const std::vector<PerScale> of_distorted =
-        curvature_magnitudes(distorted, around, edge_angles(distorted, around), radii);
-    const std::vector<PerScale> of_reference = curvature_magnitudes(tree.mesh(), graph, angles, radii);
+                                                   double side, const std::vector<PerScale>& of_reference,
+                                                   std::span<const char> wanted) const {
+    const std::vector<PerScale> of_distorted = curvature_magnitudes(
+        distorted, around, edge_angles(distorted, around), curvature_radii(side), wanted);
     const bool same_triangles = &around == &graph;
     if (same_triangles)
         clearances(); // here, where all threads are free for them
     std::vector<WindowSample> samples(distorted.positions.size());
     parallel_blocks(samples.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
+            if (!wanted.empty() && !wanted[v])
+                continue;
             const Vec3& p = distorted.positions[v];
             const ClosestPoint match =
                 same_triangles ? this->match(static_cast<Index>(v), p) : tree.closest(p);
@@ -146,18 +193,35 @@ std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted
 }
 
 std::vector<double> Msdm2::Prepared::local(const TriangleMesh& distorted, const EdgeGraph& around,
-                                           const std::vector<Index>& used, std::size_t stride) const {
-    const Box box = surface_box(distorted);
-    const double side = (box.max - box.min).maxCoeff();
+                                           double side, const std::vector<PerScale>& of_reference,
+                                           const std::vector<Index>& vertices,
+                                           std::span<const char> wanted) const {
     const PerScale radii = times(side, options.scales);
-    const std::vector<WindowSample> of_vertices = samples(distorted, around, side);
-    std::vector<double> local((used.size() + stride - 1) / stride);
-    parallel_blocks(local.size(), walk_block(local.size()), [&](std::size_t begin, std::size_t end) {
+    const std::vector<WindowSample> of_vertices = samples(distorted, around, side, of_reference, wanted);
+    std::vector<double> local(vertices.size());
+    const std::size_t block = std::max(window_block, local.size() / 64);
+    parallel_blocks(local.size(), block, [&](std::size_t begin, std::size_t end) {
         Msdm2Windows windows(distorted, around, of_vertices, radii, options);
         for (std::size_t i = begin; i < end; ++i)
-            local[i] = windows.local_distance(used[i * stride]);
+            local[i] = windows.local_distance(vertices[i]);
     });
     return local;
+}
+
+std::vector<char> Msdm2::Prepared::reached(const TriangleMesh& distorted, const EdgeGraph& around,
+                                           const std::vector<Index>& vertices) const {
+    std::vector<char> reached(distorted.positions.size(), 0);
+    const auto mark = [&](Index v) { std::atomic_ref(reached[v]).store(1, std::memory_order_relaxed); };
+    const double radius = own_side * *std::ranges::max_element(options.scales);
+    parallel_blocks(vertices.size(), window_block, [&](std::size_t begin, std::size_t end) {
+        OutwardWalk walk(distorted, around);
+        for (std::size_t i = begin; i < end; ++i) {
+            mark(vertices[i]);
+            walk.from(
+                vertices[i], radius, [](Index, double) {}, [&](const OutwardStep& s) { mark(s.to); });
+        }
+    });
+    return reached;
 }
 
 Msdm2::Msdm2(const SurfaceTree& reference, const Msdm2Options& options)
@@ -168,23 +232,36 @@ Msdm2::Msdm2(Msdm2&&) noexcept = default;
 Msdm2& Msdm2::operator=(Msdm2&&) noexcept = default;
 
 double Msdm2::distance(const TriangleMesh& distorted) const {
-    const Msdm2Options& options = prepared_->options;
     return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
-        const std::vector<Index> used = used_vertices(distorted, around);
-        const std::size_t stride =
-            options.most_windows == 0 ? 1 : (used.size() + options.most_windows - 1) / options.most_windows;
-        return minkowski_mean(prepared_->local(distorted, around, used, stride), options.exponent);
+        return minkowski_mean(prepared_->published(distorted, around, used_vertices(distorted, around)),
+                              prepared_->options.exponent);
     });
 }
 
 std::vector<double> Msdm2::field(const TriangleMesh& distorted) const {
     return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
         const std::vector<Index> used = used_vertices(distorted, around);
-        const std::vector<double> local = prepared_->local(distorted, around, used, 1);
+        const std::vector<double> local = prepared_->published(distorted, around, used);
         std::vector<double> field(distorted.positions.size(), 0.0);
         for (std::size_t i = 0; i < used.size(); ++i)
             field[used[i]] = local[i];
         return field;
+    });
+}
+
+Msdm2Sample Msdm2::sample(const TriangleMesh& distorted, std::size_t windows) const {
+    return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
+        const Prepared& p = *prepared_;
+        const std::vector<Index> used = used_vertices(distorted, around);
+        const std::size_t stride = (used.size() + windows - 1) / windows;
+        Msdm2Sample sample;
+        for (std::size_t i = 0; i < used.size(); i += stride)
+            sample.vertices.push_back(used[i]);
+        const std::vector<char> wanted =
+            stride >= far_apart ? p.reached(distorted, around, sample.vertices) : std::vector<char>();
+        sample.local = p.local(distorted, around, p.own_side, p.own_curvatures(), sample.vertices, wanted);
+        sample.mean = minkowski_mean(sample.local, p.options.exponent);
+        return sample;
     });
 }
 

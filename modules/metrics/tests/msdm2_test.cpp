@@ -125,14 +125,19 @@ TEST_CASE("the distance is the mean of the field over the vertices of triangles"
 TEST_CASE("fewer windows estimate the same distance") {
     const TriangleMesh mesh = shapes::blob(20000, 1);
     const TriangleMesh rough = roughened(mesh, 0.05);
-    Msdm2Options some;
-    some.most_windows = 4000;
     const SurfaceTree tree(mesh);
-    const double estimate = Msdm2(tree, some).distance(rough), full = Msdm2(tree).distance(rough);
-    CHECK(estimate != full);
-    CHECK(estimate == doctest::Approx(full).epsilon(0.02));
-    some.most_windows = 1'000'000;
-    CHECK(Msdm2(tree, some).distance(rough) == full);
+    const Msdm2 measure(tree);
+    const double full = measure.distance(rough);
+    CHECK(measure.sample(rough, 1'000'000).mean == doctest::Approx(full).epsilon(1e-3));
+    const std::vector<double> field = measure.field(rough);
+    for (std::size_t windows : {4000, 300}) { // the latter far apart
+        const Msdm2Sample sample = measure.sample(rough, windows);
+        CHECK(sample.vertices.size() <= windows);
+        CHECK(sample.local.size() == sample.vertices.size());
+        CHECK(sample.mean == doctest::Approx(full).epsilon(windows < 1000 ? 0.1 : 0.02));
+        for (std::size_t i = 0; i < sample.local.size(); i += 10)
+            CHECK(sample.local[i] == doctest::Approx(field[sample.vertices[i]]).epsilon(0.02));
+    }
 }
 
 TEST_CASE("the bytes are the same at any number of threads") {

@@ -28,8 +28,12 @@ struct BudgetOptions {
     double aim = 0.99;       ///< of the budget, to stay below it
     double tolerance = 0.01; ///< accepted distance from the aim
     std::size_t most_evaluations = 12;
-    /// Windows of an evaluation, at most: on large meshes a share of the vertices tells MSDM2 well enough.
+    /// Meshes of more vertices are looked at through `windows` of them: those of neighbours overlap, and all
+    /// of a million take a minute.
     std::size_t most_windows = 60'000;
+    std::size_t windows = 16'000;    ///< also of the trial mark that the mask is weighed by
+    std::size_t rough_windows = 500; ///< to come near the strength
+    double sampling_margin = 0.005;  ///< part of the budget that is left where not all are opened
 };
 
 /// The one-sided MSDM2 of marks from the mesh they are for.
@@ -40,7 +44,7 @@ public:
     /// \throw GeometryError  if the mesh has no triangle with an area
     explicit Budget(const TriangleMesh& mesh, const BudgetOptions& options = {});
 
-    /// MSDM2 of the moved mesh, of all of its windows.
+    /// MSDM2 of the moved mesh; on meshes of more vertices than `most_windows` an estimate.
     double visible(const std::vector<Vec3>& positions) const;
 
     /// Finds the strength whose mark is seen with MSDM2 `budget`: MSDM2 grows about as a power of the
@@ -55,8 +59,10 @@ public:
     void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:
-    double estimate(const std::vector<Vec3>& positions) const;
-    void confirm(Fit& fit, const MarkOfStrength& mark, double budget) const;
+    metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
+    std::size_t final_windows() const;
+    void approach(Fit& fit, const MarkOfStrength& mark, double budget, std::size_t windows,
+                  double tolerance) const;
 
     const TriangleMesh& mesh_;
     BudgetOptions options_;

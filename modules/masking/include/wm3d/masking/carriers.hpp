@@ -44,8 +44,9 @@ public:
 
     /// Weakens the mask where a trial mark is seen more than `target` and strengthens it where less, by the
     /// square root of the ratio: half of the way to a mark that is seen alike everywhere.
-    /// \param seen  #V local visibility of the trial mark, >= 0
-    void equalize(std::span<const double> seen, double target);
+    /// \param vertices  all, or an even sample of them
+    /// \param seen      local visibility of the trial mark there, #vertices, >= 0
+    void equalize(std::span<const Index> vertices, std::span<const double> seen, double target);
 
     std::span<const double> mask() const { return mask_; }
     const std::vector<Vec3>& normals() const { return normals_; } ///< #V, unit; zero where isolated

@@ -23,9 +23,13 @@ struct Msdm2Options {
     double weight_structure = 0.5;                     ///< gamma, weight of the lack of covariance
     double stabilizer = 1;                             ///< K, added to the denominators
     double exponent = 3;                               ///< p of Minkowski's mean over the vertices
-    /// Most windows that `distance` opens, at every k-th vertex of a triangle; 0 opens one at each. Fewer
-    /// make an estimate of it: on meshes of a million triangles nearly all the time goes into windows.
-    std::size_t most_windows = 0;
+};
+
+/// Local distances at some of the vertices, and what they tell of all.
+struct Msdm2Sample {
+    std::vector<Index> vertices; ///< with a window, ascending
+    std::vector<double> local;   ///< #vertices
+    double mean = 0;             ///< Minkowski's
 };
 
 /// One-sided MSDM2 of distorted meshes from one reference. What follows from the reference alone is made
@@ -63,6 +67,14 @@ public:
     /// T reaches 2 where C and C^ are opposed.
     /// \throw GeometryError if the mesh has no triangle
     std::vector<double> field(const TriangleMesh& distorted) const;
+
+    /// Local distances at every k-th vertex of a triangle, so that at most `windows` are opened: an estimate
+    /// for large meshes, where nearly all the time goes into windows of hundreds of vertices, which overlap.
+    /// S is that of the reference, whose curvatures are then made once for all calls: an invisible
+    /// distortion changes it by a ten thousandth.
+    /// \pre  windows > 0
+    /// \throw GeometryError if the mesh has no triangle
+    Msdm2Sample sample(const TriangleMesh& distorted, std::size_t windows) const;
 
 private:
     struct Prepared;
