@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::simplify {
@@ -16,8 +17,7 @@ namespace wm3d::simplify {
 namespace {
 
 constexpr std::size_t canonical_block = 16384;
-constexpr int grid_bits = 11; // per axis: three radix passes sort the whole code
-constexpr std::uint64_t radix = 1u << grid_bits;
+constexpr std::uint64_t radix = 1u << morton_bits; // three passes sort the whole code
 
 /// A vertex and its place on the curve.
 struct Keyed {
@@ -45,29 +45,10 @@ void check(const TriangleMesh& mesh) {
         }
 }
 
-/// Spreads the low 11 bits of x to every third bit.
-std::uint64_t spread(std::uint64_t x) {
-    x = (x | (x << 16)) & 0x001f0000ff0000ffu;
-    x = (x | (x << 8)) & 0x100f00f00f00f00fu;
-    x = (x | (x << 4)) & 0x10c30c30c30c30c3u;
-    x = (x | (x << 2)) & 0x1249249249249249u;
-    return x;
-}
-
-std::uint64_t morton_code(const Vec3& unit) {
-    std::uint64_t code = 0;
-    for (int k = 0; k < 3; ++k) {
-        const double cell =
-            std::clamp((unit[k] + 0.5) * static_cast<double>(radix), 0.0, static_cast<double>(radix - 1));
-        code |= spread(static_cast<std::uint64_t>(cell)) << k;
-    }
-    return code;
-}
-
 void radix_sort(std::vector<Keyed>& keys) {
     std::vector<Keyed> sorted(keys.size());
     for (int pass = 0; pass < 3; ++pass) {
-        const int shift = pass * grid_bits;
+        const int shift = pass * morton_bits;
         std::array<std::size_t, radix + 1> start{};
         for (const Keyed& k : keys)
             ++start[((k.code >> shift) & (radix - 1)) + 1];

@@ -49,6 +49,9 @@ constexpr std::uint64_t mask_family = 0x6d61736b;
 /// RMS move of the first trial, % of the diagonal: about what a visibility of 0.1 comes to on a scan.
 constexpr double first_strength = 0.02;
 
+/// Meshes of more vertices don't fit a processor's caches.
+constexpr std::size_t worth_sorting = 60'000;
+
 maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices, const Progress& progress) {
     simplify::Options options;
     options.target_vertices = vertices;
@@ -98,9 +101,10 @@ struct Marker::Made {
 };
 
 Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress)
-    : mesh_(mesh), vertices_(vertices), progress_(progress), frame_(canonical_frame(mesh)),
-      diagonal_(surface_box(mesh).diagonal()), canonical_(to_frame(mesh, frame_)),
-      made_(std::make_unique<Made>()) {}
+    : sorted_(mesh.positions.size() > worth_sorting ? along_curve(mesh) : Reordered{}),
+      mesh_(sorted_.original.empty() ? mesh : sorted_.mesh), vertices_(vertices), progress_(progress),
+      frame_(canonical_frame(mesh_)), diagonal_(surface_box(mesh_).diagonal()),
+      canonical_(to_frame(mesh_, frame_)), made_(std::make_unique<Made>()) {}
 
 Marker::~Marker() = default;
 
@@ -144,7 +148,20 @@ const masking::Carriers& Marker::carriers(unsigned level) const {
 }
 
 double Marker::visible(const std::vector<Vec3>& positions) const {
-    return budget().visible(positions);
+    if (sorted_.original.empty())
+        return budget().visible(positions);
+    std::vector<Vec3> sorted(positions.size());
+    std::ranges::transform(sorted_.original, sorted.begin(), [&](Index v) { return positions[v]; });
+    return budget().visible(sorted);
+}
+
+std::vector<Vec3> Marker::in_given_order(const std::vector<Vec3>& positions) const {
+    if (sorted_.original.empty())
+        return positions;
+    std::vector<Vec3> given(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        given[sorted_.original[i]] = positions[i];
+    return given;
 }
 
 double Marker::percent_of_diagonal(double radii) const {
@@ -281,6 +298,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
     marked.positions = in_file(layout.positions(strength));
     marked.distortion = embed::distortion(mesh_, marked.positions);
+    marked.positions = in_given_order(marked.positions);
     return marked;
 }
 

@@ -13,13 +13,6 @@ namespace wm3d::watermark {
 
 namespace {
 
-VerifyReport self_check(const io::Model& model, const io::PatchedFiles& files, const key::Key& key,
-                        const MarkOptions& mark, const Progress& progress) {
-    VerifyOptions options;
-    options.pf = mark.pf;
-    return verify(model.read_back(files).mesh(), key, options, progress);
-}
-
 /// Whether the copy would be told from a million others.
 bool tells_copy(const VerifyReport& check, const key::Key& key, const payload::CopyLabel& copy, double pf) {
     constexpr std::size_t crowd = 1'000'000;
@@ -42,7 +35,7 @@ bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOp
     VerifyOptions check;
     check.pf = options.pf;
     check.search = SearchUse::never; // a few sizes are tried, and each search may take minutes
-    return verify({positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
+    return verify(TriangleMesh{positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
 }
 
 /// The least of a few larger visibilities whose mark is found.
@@ -90,15 +83,19 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     result.marked = mark(model.mesh(), key, options.mark, progress);
     result.ambiguity = ambiguity_of(model.mesh());
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
-    result.check = self_check(model, result.files, key, options.mark, progress);
+    const io::Model written = model.read_back(result.files);
+    VerifyOptions check;
+    check.pf = options.mark.pf;
+    const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
+    result.check = verify(suspect, key, check, progress);
     const TriangleMesh& mesh = model.mesh();
     const Marked& marked = result.marked;
     if (result.check.verdict == detect::Verdict::present) {
         Sequences sequences(key.secret(), marked.rmax);
         if (!is_readable(result.check, key, options.mark))
             result.loss = Loss::content;
-        result.rehearsed = rehearse({marked.positions, mesh.triangles}, marked.frame, sequences, marked.level,
-                                    marked.rmax, result.check.score.hypotheses);
+        result.rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax,
+                                    result.check.score.hypotheses);
     } else {
         result.loss =
             found_in_memory(mesh, key, options.mark, marked.positions) ? Loss::storage : Loss::power;

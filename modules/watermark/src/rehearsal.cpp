@@ -17,9 +17,6 @@ namespace wm3d::watermark {
 
 namespace {
 
-/// Fewer vertices than verify looks at: a rehearsal is to be quick, and so errs on the safe side.
-constexpr std::size_t rehearsed_vertices = 20'000;
-
 TriangleMesh with_noise(TriangleMesh mesh, double percent) {
     Vec3 centre = Vec3::Zero();
     for (const Vec3& p : mesh.positions)
@@ -73,12 +70,12 @@ double best_log10_p(const TriangleMesh& mesh, const sphere::Icosphere& sphere, s
 
 } // namespace
 
-std::vector<Rehearsed> rehearse(const TriangleMesh& marked, const Frame& frame, Sequences& sequences,
+std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Sequences& sequences,
                                 unsigned level, double rmax, std::size_t hypotheses) {
-    const TriangleMesh base = coarsened(to_frame(marked, frame), rehearsed_vertices);
-    const double density =
-        static_cast<double>(base.positions.size()) / static_cast<double>(marked.positions.size());
-    const std::size_t quarter = std::min(base.positions.size(), marked.positions.size() / 4);
+    const TriangleMesh base = to_frame(marked.base, frame);
+    const std::size_t vertices = marked.mesh.positions.size();
+    const double density = static_cast<double>(base.positions.size()) / static_cast<double>(vertices);
+    const std::size_t quarter = std::min(base.positions.size(), vertices / 4);
     const std::vector<std::function<TriangleMesh()>> attacks{
         [&] { return with_noise(base, 0.3); }, [&] { return smoothed(base, 10, density); },
         [&] { return rounded(base, 8); }, [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }};

@@ -223,20 +223,29 @@ std::optional<payload::Reading> read_payload(const VerifyReport& report, const k
     return reading && reading->log10_p <= std::log10(options.pf) ? reading : std::nullopt;
 }
 
+void require_effort(const VerifyOptions& options) {
+    if (!(options.effort >= 0))
+        throw ParameterError("the effort of a search can't be negative; 1 is the usual one, 0 is none");
+}
+
 } // namespace
 
 VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
-    if (!(options.effort >= 0))
-        throw ParameterError("the effort of a search can't be negative; 1 is the usual one, 0 is none");
-    const Suspect suspect = simplify_suspect(mesh, options.vertices, progress);
+    require_effort(options);
+    return verify(simplify_suspect(mesh, options.vertices, progress), key, options, progress);
+}
+
+VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOptions& options,
+                    const Progress& progress) {
+    require_effort(options);
     const Hypotheses all = hypotheses(suspect, key, options, progress);
     Sequences sequences(key.secret(), key.parameters().rmax);
 
     VerifyReport report;
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
-    report.largest_opening = largest_opening(mesh);
+    report.largest_opening = largest_opening(suspect.mesh);
     report.score = detect::score_family(all.family, sequences.function());
     if (may_search(options)) // the search has its share of P_f, whether it will be needed or not
         report.score.log10_p = std::min(0.0, report.score.log10_p - std::log10(1 - search_share));

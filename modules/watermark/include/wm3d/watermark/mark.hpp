@@ -11,6 +11,7 @@
 #include <wm3d/maps/base_domain.hpp>
 #include <wm3d/masking/budget.hpp>
 #include <wm3d/masking/carriers.hpp>
+#include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/payload/sequence.hpp>
 #include <wm3d/watermark/examination.hpp>
 
@@ -104,7 +105,10 @@ private:
     std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
                             double factor) const; ///< the canonical mesh
 
-    const TriangleMesh& mesh_;
+    std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
+
+    Reordered sorted_;         ///< a large mesh; else empty
+    const TriangleMesh& mesh_; ///< that is worked on: the one given or, if it is large, `sorted_`
     std::size_t vertices_;
     Progress progress_;
     Frame frame_;

@@ -94,4 +94,8 @@ struct VerifyReport {
 VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options = {},
                     const Progress& progress = {});
 
+/// The same for a suspect whose base mesh, of `options.vertices`, is known.
+VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOptions& options = {},
+                    const Progress& progress = {});
+
 } // namespace wm3d::watermark

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/mesh/curve_order.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include <wm3d/mesh/measure.hpp>
+
+namespace wm3d {
+
+namespace {
+
+constexpr double cells = 1u << morton_bits; // along each axis
+
+/// Spreads the low 11 bits of x to every third bit.
+std::uint64_t spread(std::uint64_t x) {
+    x = (x | (x << 16)) & 0x001f0000ff0000ffu;
+    x = (x | (x << 8)) & 0x100f00f00f00f00fu;
+    x = (x | (x << 4)) & 0x10c30c30c30c30c3u;
+    x = (x | (x << 2)) & 0x1249249249249249u;
+    return x;
+}
+
+/// Numbers of the vertices, along the curve.
+std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
+    const Box box = surface_box(mesh);
+    const Vec3 centre = 0.5 * box.min + 0.5 * box.max;
+    const double side = (box.max - box.min).maxCoeff();
+    const double scale = side > 0 && std::isfinite(side) ? side : 1;
+    std::vector<std::pair<std::uint64_t, Index>> keys(mesh.positions.size());
+    for (Index v = 0; v < keys.size(); ++v)
+        keys[v] = {morton_code((mesh.positions[v] - centre) / scale), v};
+    std::ranges::sort(keys);
+    std::vector<Index> vertices(keys.size());
+    std::ranges::transform(keys, vertices.begin(), [](const auto& key) { return key.second; });
+    return vertices;
+}
+
+/// The triangles by their least corner, those of one in the order in which they come.
+std::vector<Triangle> by_least_corner(const std::vector<Triangle>& triangles, std::size_t vertices) {
+    std::vector<std::size_t> next(vertices + 1, 0);
+    for (const Triangle& t : triangles)
+        ++next[std::ranges::min(t) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<Triangle> sorted(triangles.size());
+    for (const Triangle& t : triangles)
+        sorted[next[std::ranges::min(t)]++] = t;
+    return sorted;
+}
+
+} // namespace
+
+std::uint64_t morton_code(const Vec3& unit) {
+    std::uint64_t code = 0;
+    for (int k = 0; k < 3; ++k) {
+        const double cell = std::clamp((unit[k] + 0.5) * cells, 0.0, cells - 1);
+        code |= spread(static_cast<std::uint64_t>(cell)) << k;
+    }
+    return code;
+}
+
+Reordered along_curve(const TriangleMesh& mesh) {
+    Reordered result{{}, vertices_along_curve(mesh)};
+    std::vector<Index> number(result.original.size());
+    result.mesh.positions.reserve(number.size());
+    for (Index i = 0; i < number.size(); ++i) {
+        number[result.original[i]] = i;
+        result.mesh.positions.push_back(mesh.positions[result.original[i]]);
+    }
+    std::vector<Triangle> renumbered = mesh.triangles;
+    for (Triangle& t : renumbered)
+        for (Index& v : t)
+            v = number[v];
+    result.mesh.triangles = by_least_corner(renumbered, number.size());
+    return result;
+}
+
+} // namespace wm3d
