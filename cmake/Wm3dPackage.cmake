@@ -41,8 +41,11 @@ if(WM3D_PYTHON)
     list(APPEND CPACK_COMPONENTS_ALL python)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-wm3d)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    list(GET WM3D_PYTHON_ABI 0 major)
+    list(GET WM3D_PYTHON_ABI 1 minor)
+    math(EXPR next "${minor} + 1")
     set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
-        "python3-numpy, python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})")
+        "python3-numpy, python3 (>= ${major}.${minor}), python3 (<< ${major}.${next})")
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Marks and verifies 3D meshes given as numpy arrays.")
 endif()
 

@@ -57,6 +57,14 @@ if "$wm3d" verify -q sample.ply --key owner.key >original.txt; then
     fail "the unmarked sample is said to be marked"
 fi
 
+packages=$root/usr/lib/python3/dist-packages
+if [ -d "$packages" ] && /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
+    PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$packages /usr/bin/python3 -c '
+import wm3d
+mesh = wm3d.read("marked.ply")
+assert wm3d.verify(mesh.vertices, mesh.faces, wm3d.Key.load("owner.key")).verdict == "present"'
+fi
+
 if command -v lintian >/dev/null; then
     lintian --fail-on error "$folder"/packages/*.deb ||
         fail "lintian found errors"
