@@ -10,6 +10,7 @@ module;
 export module wm3d.commitment;
 
 export namespace wm3d {
+using wm3d::along_curve;
 using wm3d::area_vector;
 using wm3d::border_loops;
 using wm3d::border_vertices;
@@ -40,6 +41,8 @@ using wm3d::json_depth;
 using wm3d::Mat3;
 using wm3d::max_json_depth;
 using wm3d::mean_radius;
+using wm3d::morton_bits;
+using wm3d::morton_code;
 using wm3d::name;
 using wm3d::Neighbours;
 using wm3d::no_index;
@@ -52,6 +55,7 @@ using wm3d::parallel_tasks;
 using wm3d::ParameterError;
 using wm3d::principal_frame;
 using wm3d::Progress;
+using wm3d::Reordered;
 using wm3d::shape_moments;
 using wm3d::ShapeMoments;
 using wm3d::sign_choices;

@@ -9,6 +9,7 @@ module;
 export module wm3d.shaping;
 
 export namespace wm3d {
+using wm3d::along_curve;
 using wm3d::area_vector;
 using wm3d::border_loops;
 using wm3d::border_vertices;
@@ -26,9 +27,12 @@ using wm3d::Index;
 using wm3d::inspect_topology;
 using wm3d::Mat3;
 using wm3d::mean_radius;
+using wm3d::morton_bits;
+using wm3d::morton_code;
 using wm3d::Neighbours;
 using wm3d::no_index;
 using wm3d::principal_frame;
+using wm3d::Reordered;
 using wm3d::shape_moments;
 using wm3d::ShapeMoments;
 using wm3d::sign_choices;
