@@ -73,7 +73,8 @@ std::string reply_of(const Option& option) {
     case Values::folder:
         return "_wm3d_files -d \"$3\"";
     case Values::one_of:
-        return fmt::format("mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$3\")", fmt::join(option.choices, " "));
+        return fmt::format("mapfile -t COMPREPLY < <(compgen -W '{}' -- \"$3\")",
+                           fmt::join(option.choices, " "));
     case Values::any:
         break;
     }

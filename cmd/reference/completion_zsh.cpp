@@ -56,7 +56,8 @@ std::string argument_specification(const Option& argument) {
 } // namespace
 
 std::string zsh_completion(std::span<const Page> pages) {
-    std::string out = "#compdef wm3d\n# Completion of wm3d for zsh.\n\n_wm3d() {\n    local -a commands\n    commands=(\n";
+    std::string out =
+        "#compdef wm3d\n# Completion of wm3d for zsh.\n\n_wm3d() {\n    local -a commands\n    commands=(\n";
     for (const Page& page : pages)
         out += fmt::format("        '{}:{}'\n", page.name, field(page.summary));
     out += "        'help:explain a command'\n    )\n    if (( CURRENT == 2 )); then\n"

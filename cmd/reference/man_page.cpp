@@ -150,15 +150,19 @@ std::string man_page(const Page& page) {
 std::string man_overview(std::span<const Command> commands) {
     std::string out = title("wm3d", "Commands of wm3d");
     out += heading("Name") + "wm3d \\- blind watermarks for 3D meshes, with exact probabilities\n";
-    out += heading("Synopsis") + fmt::format("{} {} [{}...]\n", bold("wm3d"), italic("COMMAND"), italic("OPTION"));
-    out += heading("Description") +
-           literal("Hides an owner's mark in the geometry of a 3D mesh, and later tells from a copy and the owner's "
-                   "key alone whether the mark is there.\n");
+    out += heading("Synopsis") +
+           fmt::format("{} {} [{}...]\n", bold("wm3d"), italic("COMMAND"), italic("OPTION"));
+    out +=
+        heading("Description") +
+        literal(
+            "Hides an owner's mark in the geometry of a 3D mesh, and later tells from a copy and the owner's "
+            "key alone whether the mark is there.\n");
     std::string_view group;
     for (const Command& command : commands) {
         if (command.group != group)
             out += heading(std::string(group = command.group));
-        out += fmt::format(".TP\n{}(1)\n{}\n", bold(fmt::format("wm3d-{}", command.name)), literal(command.summary));
+        out += fmt::format(".TP\n{}(1)\n{}\n", bold(fmt::format("wm3d-{}", command.name)),
+                           literal(command.summary));
     }
     out += ".PP\nAny other name runs the executable \\fBwm3d\\-\\fINAME\\fR from PATH.\n";
     out += heading("Options");

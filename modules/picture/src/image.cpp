@@ -69,7 +69,7 @@ void write_png(const std::filesystem::path& file, const Image& image) {
     header.format = PNG_FORMAT_RGB;
     if (png_image_write_to_file(&header, file.c_str(), 0, image.pixels.data(), 0, nullptr) == 0)
         throw OutputError(file.string() + ": the picture can't be written (" + header.message +
-                      "); check the folder and the space on the disk");
+                          "); check the folder and the space on the disk");
 }
 
 } // namespace wm3d::picture

@@ -35,7 +35,8 @@ inline BenchResults example() {
         results.models[model] = {"0123456789abcdef", 1000, 2000, ""};
         for (std::size_t key : {0u, 1u}) {
             const MarkName mark = mark_name(model, size, key);
-            results.marks[mark] = {0.021, 0.03, 0.021, 0.018 + 0.001 * static_cast<double>(key), 0.2, 0.19, ""};
+            results.marks[mark] = {0.021, 0.03, 0.021, 0.018 + 0.001 * static_cast<double>(key),
+                                   0.2,   0.19, ""};
             results.items[item_name(mark, "noise:0.3")] = found(key == 0 ? -20 : -4);
             results.items[item_name(mark, "bend:5+noise:0.3")] = found(-30);
             results.items[item_name(mark, "file")] = found(-50);
