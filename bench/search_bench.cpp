@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  Measures what the search of all poses finds and what it takes, and prints the tables of
-/// docs/resync.md as Markdown. Usage: search_bench [crop|scene|deform|mirror|shapes|absent|keys|picture]...
-/// [TRIALS]; the models are looked for in WM3D_MESHES. Times are of the processor, over all threads.
+/// \file  Measures what the search of all poses takes, and what it says of wrong keys, for docs/resync.md.
+/// Usage: search_bench [places|absent|keys|peer|picture]... [TRIALS]; the models are looked for in
+/// WM3D_MESHES. Times are of the processor, over all threads. How often it finds marks: search_rates.
 
 #include <algorithm>
 #include <cmath>
@@ -25,24 +25,14 @@
 #include <wm3d/shapes/shapes.hpp>
 #include <wm3d/shapes/turned.hpp>
 #include <wm3d/watermark/mark.hpp>
-#include <wm3d/watermark/verify.hpp>
+#include <wm3d/watermark/null_keys.hpp>
+
+#include "search_models.hpp"
 
 namespace {
 
 using namespace wm3d;
-
-const std::vector<std::string> scans{"stanford-bunny.obj", "horse.ply", "nefertiti.obj", "igea.ply",
-                                     "rocker-arm.obj"};
-
-TriangleMesh load(const std::string& name) {
-    const char* folder = std::getenv("WM3D_MESHES");
-    return io::read(std::filesystem::path(folder ? folder : ".") / name).mesh();
-}
-
-/// Turned, scaled and shifted at random.
-TriangleMesh moved(const TriangleMesh& mesh, std::uint64_t seed) {
-    return attack::apply(mesh, attack::parse("similarity"), seed);
-}
+using namespace wm3d::bench;
 
 key::Key bench_key() {
     return key::Key::generate("bench");
@@ -51,159 +41,15 @@ key::Key bench_key() {
 TriangleMesh marked(const TriangleMesh& mesh, const key::Key& key, double strength) {
     watermark::MarkOptions options;
     options.strength = strength;
+    options.profile = watermark::Profile::robust;
     TriangleMesh result = mesh;
     result.positions = watermark::mark(mesh, key, options).positions;
     return result;
 }
 
-struct Trial {
-    watermark::VerifyReport report;
-    double seconds; ///< of the processor
-};
-
-Trial searched(const TriangleMesh& suspect, const key::Key& key, double effort = 1, double pf = 1e-6) {
-    watermark::VerifyOptions options;
-    options.search = watermark::SearchUse::always;
-    options.effort = effort;
-    options.pf = pf;
-    const std::clock_t begin = std::clock();
-    watermark::VerifyReport report = watermark::verify(suspect, key, options);
-    return {std::move(report), static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
-}
-
 double median(std::vector<double> values) {
     std::ranges::sort(values);
     return values[values.size() / 2];
-}
-
-/// "found of all | median log10 p | worst | median and largest seconds | median centres".
-std::string summary(const std::vector<Trial>& trials) {
-    std::vector<double> p, seconds, centres;
-    for (const Trial& t : trials) {
-        p.push_back(t.report.score.log10_p);
-        seconds.push_back(t.seconds);
-        centres.push_back(t.report.search ? static_cast<double>(t.report.search->centres) : 0.0);
-    }
-    return fmt::format(
-        "{} of {} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {:.0f}",
-        std::ranges::count(trials, detect::Verdict::present, [](const Trial& t) { return t.report.verdict; }),
-        trials.size(), median(p), std::ranges::max(p), median(seconds), std::ranges::max(seconds),
-        median(centres));
-}
-
-constexpr const char* columns =
-    "present at 1e-6 | median log10 p | worst | seconds of the processor, median | most | "
-    "centres, median |\n|---|---|---|---|---|---|---|";
-
-void row(const std::string& name, const std::vector<Trial>& trials) {
-    fmt::print("| {} | {} |\n", name, summary(trials));
-    std::fflush(stdout);
-}
-
-void crop(std::size_t trials) {
-    fmt::print("| cut away, strength 0.08 | {}\n", columns);
-    for (const std::string& name : scans) {
-        const TriangleMesh original = load(name);
-        for (const char* percent : {"10", "30", "50"}) {
-            std::vector<Trial> all;
-            for (std::uint64_t seed = 1; seed <= trials; ++seed) {
-                const key::Key key = bench_key();
-                const TriangleMesh cut = attack::apply(
-                    marked(original, key, 0.08), attack::parse(fmt::format("cropping:{}", percent)), seed);
-                all.push_back(searched(moved(cut, seed), key));
-            }
-            row(fmt::format("{}, {} %", name, percent), all);
-        }
-    }
-}
-
-/// Both meshes side by side, the second so large that its box's diagonal is `ratio` times the first one's.
-TriangleMesh joined(const TriangleMesh& a, TriangleMesh b, double ratio) {
-    const Box of_a = surface_box(a), of_b = surface_box(b);
-    const double factor = ratio * of_a.diagonal() / of_b.diagonal();
-    const Vec3 place = of_a.max + Vec3(0.1, 0, 0) * of_a.diagonal();
-    TriangleMesh scene = a;
-    const auto first = static_cast<Index>(a.positions.size());
-    for (const Vec3& p : b.positions)
-        scene.positions.push_back(place + factor * (p - of_b.min));
-    for (Triangle t : b.triangles) {
-        for (Index& v : t)
-            v += first;
-        scene.triangles.push_back(t);
-    }
-    return scene;
-}
-
-void scene(std::size_t trials) {
-    fmt::print("| in a scene with another model three times its size | {}\n", columns);
-    for (const bool half : {false, true}) {
-        std::vector<Trial> all;
-        for (std::uint64_t seed = 0; seed < trials; ++seed) {
-            const key::Key key = bench_key();
-            TriangleMesh model = marked(load(scans[seed % scans.size()]), key, 0.08);
-            if (half)
-                model = attack::apply(model, attack::parse("cropping:50"), seed);
-            const TriangleMesh other = load(scans[(seed + 1 + seed / scans.size()) % scans.size()]);
-            all.push_back(searched(moved(joined(model, other, 3), seed), key));
-        }
-        row(half ? "half of a model" : "a whole model", all);
-    }
-}
-
-void with_attack(std::initializer_list<const char*> attacks, std::size_t trials) {
-    for (const char* text : attacks)
-        for (const std::string& name : scans) {
-            std::vector<Trial> all;
-            const TriangleMesh original = load(name);
-            for (std::uint64_t seed = 0; seed < trials; ++seed) {
-                const key::Key key = bench_key();
-                const TriangleMesh copy =
-                    attack::apply(marked(original, key, 0.08), attack::parse_chain(text), seed);
-                all.push_back(searched(moved(copy, seed), key));
-            }
-            row(fmt::format("{}, {}", name, text), all);
-        }
-}
-
-void deform(std::size_t trials) {
-    fmt::print("| deformed, strength 0.08 | {}\n", columns);
-    with_attack({"scale:1.02,1,0.98", "bend:5"}, trials);
-}
-
-void mirror(std::size_t trials) {
-    fmt::print("| mirrored | {}\n", columns);
-    for (const std::string& name : scans) {
-        std::vector<Trial> all;
-        for (std::uint64_t seed = 0; seed < trials; ++seed) {
-            const key::Key key = bench_key();
-            TriangleMesh copy = marked(load(name), key, 0.05);
-            for (Vec3& p : copy.positions)
-                p.x() = -p.x();
-            for (Triangle& t : copy.triangles)
-                std::swap(t[0], t[1]);
-            all.push_back(searched(moved(copy, seed), key));
-            if (!all.back().report.search || !all.back().report.search->pose ||
-                !all.back().report.search->pose->mirrored)
-                fmt::print("not said to be mirrored\n");
-        }
-        row(name, all);
-    }
-}
-
-void shapes_without_axes(std::size_t trials) {
-    fmt::print("| shape without clear axes, default strength | {}\n", columns);
-    const std::map<std::string, std::function<TriangleMesh()>> shapes{
-        {"vase", [] { return shapes::vase(30000); }},
-        {"gear", [] { return shapes::gear(24, 30000); }},
-        {"disc", [] { return shapes::disc(30000); }}};
-    for (const auto& [name, make] : shapes) {
-        std::vector<Trial> all;
-        for (std::uint64_t seed = 0; seed < trials; ++seed) {
-            const key::Key key = bench_key();
-            all.push_back(searched(moved(marked(make(), key, watermark::default_strength), seed), key));
-        }
-        row(name, all);
-    }
 }
 
 /// Unmarked cut copies: what it takes to say so.
@@ -215,7 +61,9 @@ void absent(std::size_t trials) {
         std::size_t said = 0;
         for (std::uint64_t seed = 1; seed <= trials; ++seed) {
             const TriangleMesh cut = attack::apply(load(name), attack::parse("cropping:30"), seed);
-            const Trial t = searched(moved(cut, seed), bench_key());
+            watermark::VerifyOptions options;
+            options.effort = 4;
+            const Searched t = searched(moved(cut, seed), bench_key(), options);
             said += t.report.verdict == detect::Verdict::absent ? 1 : 0;
             seconds.push_back(t.seconds);
             expected.push_back(t.report.search->expected_sigmas);
@@ -226,20 +74,22 @@ void absent(std::size_t trials) {
     }
 }
 
-/// Wrong keys through a search of full width on a small cut model, at P_f = 0.01: every peak that is climbed
-/// is tested, however low. Coarser harmonics than verify's make it quick; the price of the lattice doesn't
-/// depend on them.
+/// Wrong keys through a search of full width on a small cut model, at P_f = 0.01: the region of centres that
+/// verify searches with effort 1, and every peak that is climbed is tested, however low. Harmonics below 24
+/// are all that a sphere of level 3 has, and they bear a lattice that is 64 / 24 times as wide; the price of
+/// the lattice of poses doesn't depend on them.
 void keys(std::size_t trials) {
     constexpr double pf = 0.01;
     constexpr unsigned level = 3;
-    TriangleMesh cut = attack::apply(shapes::blob(1500, 1), attack::parse("cropping:20"), 1);
+    TriangleMesh cut = attack::apply(shapes::blob(1250, 1), attack::parse("cropping:20"), 1);
     const search::Outline out = search::outline(cut);
     for (Vec3& p : cut.positions)
         p = (p - out.centroid) / out.radius;
     const detect::Evidence evidence(cut);
     search::CentreOptions wide;
-    wide.covering = 0.08;
-    const std::vector<Vec3> centres = search::centres(search::outline(cut), 100, wide);
+    wide.covering = 0.045 * 64 / 24;
+    const std::vector<Vec3> centres =
+        search::centres(search::outline(cut), static_cast<std::size_t>(3300 / std::pow(64.0 / 24, 3)), wide);
     search::SearchOptions options;
     options.bandwidth = 24;
     options.convincing = options.hopeful = 0;
@@ -248,6 +98,7 @@ void keys(std::size_t trials) {
     const search::PoseLattice lattice;
     std::size_t positives = 0, fixed = 0, tested = 0, pairs = 0;
     double least = 0;
+    std::vector<double> fixed_p;
     for (std::uint64_t k = 0; k < trials; ++k) {
         const std::vector<double> w = key::watermark_sequence(key::null_secret(20261125, k), level, 0.1);
         const search::KeyFunction key(sphere, w, 0.1);
@@ -276,12 +127,97 @@ void keys(std::size_t trials) {
                      .centres;
         positives += best <= std::log10(pf) ? 1 : 0;
         least = std::min(least, best);
-        fixed += p_at(search::Pose{}, 0) <= std::log10(pf) ? 1 : 0;
+        const double log10_fixed = p_at(search::Pose{}, 0);
+        fixed += log10_fixed <= std::log10(pf) ? 1 : 0;
+        fixed_p.push_back(std::pow(10, log10_fixed));
     }
     fmt::print("{} wrong keys at P_f = {}: {} found by a search of {} centres each, {} poses tested exactly, "
                "smallest log10 p "
-               "{:.2f}; in one fixed pose {}; {} expected at most\n",
-               trials, pf, positives, pairs / trials, tested, least, fixed, pf * static_cast<double>(trials));
+               "{:.2f}; {} expected at most; in one fixed pose {}, whose p are uniform with {:.2f}, by "
+               "Kolmogorov and Smirnov\n",
+               trials, pf, positives, pairs / trials, tested, least, pf * static_cast<double>(trials), fixed,
+               watermark::uniformity(fixed_p));
+}
+
+/// How many centres of verify's lattice come before one that is within its covering of the true centre.
+void places(std::size_t trials) {
+    constexpr double covering = 0.045;
+    fmt::print(
+        "| cut away | copies | within 660 centres (effort 0.2) | within 3300 (1) | within 13200 (4) | median "
+        "number | most |\n|---|---|---|---|---|---|---|\n");
+    for (const char* percent : {"10", "30", "50"}) {
+        std::vector<double> numbers;
+        for (const std::string& name : scans) {
+            const TriangleMesh original = load(name);
+            const Vec3 truth = canonical_frame(original).centroid;
+            for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+                search::Outline out = search::outline(
+                    attack::apply(original, attack::parse(fmt::format("cropping:{}", percent)), seed));
+                const Vec3 there = (truth - out.centroid) / out.radius;
+                out.centroid.setZero();
+                out.radius = 1;
+                search::CentreOptions options;
+                options.covering = covering;
+                const std::vector<Vec3> centres = search::centres(out, 13200, options);
+                const double near = covering * std::sqrt(1 + there.squaredNorm()); // wider outwards
+                const auto found =
+                    std::ranges::find_if(centres, [&](const Vec3& c) { return (c - there).norm() <= near; });
+                numbers.push_back(static_cast<double>(found - centres.begin()) + 1);
+            }
+        }
+        const auto within = [&](double count) {
+            return std::ranges::count_if(numbers, [&](double number) { return number <= count; });
+        };
+        fmt::print("| {} % | {} | {} | {} | {} | {:.0f} | {:.0f} |\n", percent, numbers.size(), within(660),
+                   within(3300), within(13200), median(numbers), std::ranges::max(numbers));
+        std::fflush(stdout);
+    }
+}
+
+/// The same search of one centre by trying one rotation after the other, of which `trials` are timed.
+void peer(std::size_t trials) {
+    const TriangleMesh mesh = load(scans.front());
+    const search::Outline out = search::outline(mesh);
+    TriangleMesh base = watermark::simplify_suspect(mesh, watermark::default_vertices).base;
+    for (Vec3& p : base.positions)
+        p = (p - out.centroid) / out.radius;
+    const detect::Evidence evidence(base);
+    const std::vector<double> q = evidence.weights_at(1);
+    const sphere::Icosphere sphere(5);
+    const search::KeyFunction key(sphere, key::watermark_sequence(key::null_secret(1, 1), 5, 0.1), 0.1);
+    constexpr unsigned bandwidth = 64;
+    const search::HarmonicTransform transform(bandwidth);
+    const search::RotationCorrelation<float> correlation(bandwidth, 2 * bandwidth);
+    const search::Harmonics w = key.harmonics(bandwidth);
+    const auto seconds = [](auto&& work) {
+        const std::clock_t begin = std::clock();
+        work();
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    constexpr int centres = 20;
+    float best = 0;
+    const double by_transform = seconds([&] {
+                                    for (int k = 0; k < centres; ++k)
+                                        correlation(transform.of_points(base.positions, q), w,
+                                                    [&](std::size_t, std::span<const float> t) {
+                                                        best = std::max(best, std::ranges::max(t));
+                                                    });
+                                }) /
+                                centres;
+    const double one =
+        seconds([&] {
+            for (std::size_t k = 0; k < trials; ++k) {
+                search::Pose pose;
+                pose.turn = correlation.rotation(k % 128, k / 128 % 128, 7 * k % 128);
+                best = std::max(best, static_cast<float>(search::correlation(base.positions, q, key, pose)));
+            }
+        }) /
+        static_cast<double>(trials);
+    const double rotations = std::pow(2.0 * bandwidth, 3);
+    fmt::print(
+        "all rotations about one centre: {:.4f} s by the transform, {:.0f} s one after the other ({:.2e} s "
+        "each): {:.0f} times as long (largest {:.3g})\n",
+        by_transform, one * rotations, one, one * rotations / by_transform, best);
 }
 
 /// Best score over all rotations about the centres of a plane through the suspect's own centre and the true
@@ -329,14 +265,8 @@ void picture(std::size_t trials) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::map<std::string, void (*)(std::size_t)> all{{"crop", crop},
-                                                           {"scene", scene},
-                                                           {"deform", deform},
-                                                           {"mirror", mirror},
-                                                           {"shapes", shapes_without_axes},
-                                                           {"absent", absent},
-                                                           {"keys", keys},
-                                                           {"picture", picture}};
+    const std::map<std::string, void (*)(std::size_t)> all{
+        {"places", places}, {"absent", absent}, {"keys", keys}, {"peer", peer}, {"picture", picture}};
     std::size_t trials = 3;
     std::vector<std::string> chosen;
     for (int k = 1; k < argc; ++k) {
@@ -345,9 +275,7 @@ int main(int argc, char** argv) {
         else if (const int number = std::atoi(argv[k]); number > 0)
             trials = static_cast<std::size_t>(number);
         else {
-            fmt::print(
-                stderr,
-                "usage: search_bench [crop|scene|deform|mirror|shapes|absent|keys|picture]... [TRIALS]\n");
+            fmt::print(stderr, "usage: search_bench [places|absent|keys|peer|picture]... [TRIALS]\n");
             return 2;
         }
     }

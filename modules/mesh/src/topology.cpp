@@ -153,9 +153,14 @@ std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
         const Vec3 a = mesh.positions[s.low] - origins[number], b = mesh.positions[s.high] - origins[number];
         BorderLoop& loop = loops[number];
         ++loop.edges;
-        loop.length += (b - a).norm();
+        const double length = (b - a).norm();
+        loop.length += length;
+        loop.centre += length * (a + b) / 2;                   // of length times place, from the origin
         loop.opening += (s.forward ? -0.5 : 0.5) * a.cross(b); // what closes it walks the edge the other way
     }
+    for (std::size_t k = 0; k < loops.size(); ++k)
+        loops[k].centre =
+            origins[k] + (loops[k].length > 0 ? Vec3(loops[k].centre / loops[k].length) : Vec3::Zero());
     return loops;
 }
 

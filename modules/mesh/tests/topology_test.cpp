@@ -90,6 +90,7 @@ TEST_CASE("the opening of a border is the area vector that is missing") {
     CHECK(loops[0].edges == 3);
     CHECK(loops[0].length == doctest::Approx(3 * std::sqrt(2.0)));
     CHECK((loops[0].opening - missing).norm() < 1e-10);
+    CHECK((loops[0].centre - Vec3(100, 200, -300) - Vec3::Constant(1 / 3.0)).norm() < 1e-10);
     CHECK(border_loops(tetrahedron()).empty());
 }
 

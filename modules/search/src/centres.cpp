@@ -50,16 +50,20 @@ Outline outline(const TriangleMesh& mesh) {
     Outline result;
     result.centroid = encloses ? moments.solid.centroid : moments.surface.centroid;
     result.radius = mean_radius(mesh, result.centroid);
-    Vec3 sum = Vec3::Zero(), largest = Vec3::Zero();
+    double largest = 0, all = 0;
+    Vec3 out = Vec3::Zero(), there = Vec3::Zero(); // of areas, and of areas times places
     for (const BorderLoop& loop : border_loops(mesh)) {
-        sum += loop.opening;
-        if (loop.opening.norm() > largest.norm())
-            largest = loop.opening;
+        const double area = loop.opening.norm();
+        largest = std::max(largest, area);
+        all += area;
+        out += loop.opening;
+        there += area * (loop.centre - result.centroid) / result.radius;
     }
-    result.opening = largest.norm() / moments.surface.area;
-    const Vec3 axis = sum.norm() > largest.norm() ? sum : largest;
-    if (axis.norm() > 0)
-        result.outwards = (moments.solid.volume < 0 ? -1 : 1) * axis.normalized();
+    result.opening = largest / moments.surface.area;
+    constexpr double share_of_normal = 0.1; // enough where the places tell nothing
+    const Vec3 axis = there + (moments.solid.volume < 0 ? -share_of_normal : share_of_normal) * out;
+    if (all > 0 && axis.norm() > 0)
+        result.outwards = axis.normalized();
     return result;
 }
 

@@ -47,6 +47,7 @@ private:
 
     Found best_rotation(const Prepared& prepared, const Vec3& centre) const;
     Candidate climbed(const Found& found, Deformation deformation) const;
+    Found closer(Found found) const;
     Candidate climbed_around(const Found& found) const;
     double sigmas(const Prepared& prepared, const Pose& pose) const;
     void refine_and_offer(const Found& found);
@@ -140,6 +141,23 @@ void Searcher::offer(const Candidate& candidate) {
     }
 }
 
+/// The best rotation about the best of some centres around, closer and closer: where the centre is off by
+/// half the lattice's spacing, the highest of all rotations may lie on a shoulder of the peak.
+Searcher::Found Searcher::closer(Found found) const {
+    for (const double step : {0.024, 0.012}) {
+        const Vec3 middle = found.candidate.pose.centre;
+        std::array<Found, 8> around;
+        parallel_blocks(around.size(), 1, [&](std::size_t k, std::size_t) {
+            const Vec3 corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
+            around[k] = best_rotation(*found.prepared, middle + step / std::sqrt(3.0) * corner);
+        });
+        for (const Found& other : around)
+            if (other.candidate.sigmas > found.candidate.sigmas)
+                found = other;
+    }
+    return found;
+}
+
 /// A climb that ends on a shoulder of the right peak starts again around it.
 Candidate Searcher::climbed_around(const Found& found) const {
     Candidate best = climbed(found, Deformation::none);
@@ -159,7 +177,7 @@ Candidate Searcher::climbed_around(const Found& found) const {
 }
 
 void Searcher::refine_and_offer(const Found& found) {
-    const Candidate better = climbed_around(found);
+    const Candidate better = climbed_around(closer(found));
     ++outcome_.refined;
     remember(hopeful_, {better, found.prepared}, options_.finalists);
     offer(better);

@@ -39,6 +39,19 @@ TEST_CASE("an opening tells the side on which something is missing") {
     CHECK(outline(sphere::Icosphere(2).mesh()).outwards.isZero());
 }
 
+TEST_CASE("an oblique cut of a long thing lies towards its end, wherever the cut looks") {
+    TriangleMesh mesh = sphere::Icosphere(4).mesh();
+    for (Vec3& p : mesh.positions)
+        p.z() *= 4;
+    std::erase_if(mesh.triangles, [&](const Triangle& t) { // the plane looks along x rather than z
+        return std::ranges::any_of(
+            t, [&](Index v) { return mesh.positions[v].x() + 0.25 * mesh.positions[v].z() > 0.6; });
+    });
+    const Outline out = outline(mesh);
+    CHECK(out.outwards.z() > 0.8);
+    CHECK(out.outwards.x() > 0.1);
+}
+
 TEST_CASE("every place near the centroid has a centre within the covering radius") {
     Outline closed;
     closed.centroid = Vec3(1, 2, 3);

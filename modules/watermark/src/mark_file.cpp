@@ -13,6 +13,15 @@ namespace wm3d::watermark {
 
 namespace {
 
+/// The file lies where it was marked, so that the quick look sees the mark, unless its axes are unclear; then
+/// it lies about the file's own centre, which is the first that a search tries.
+VerifyOptions self_check_options(const MarkOptions& mark, resync::Ambiguity ambiguity) {
+    VerifyOptions options;
+    options.pf = mark.pf;
+    options.effort = ambiguity == resync::Ambiguity::none ? 0 : 0.02;
+    return options;
+}
+
 /// Whether the copy would be told from a million others.
 bool tells_copy(const VerifyReport& check, const key::Key& key, const payload::CopyLabel& copy, double pf) {
     constexpr std::size_t crowd = 1'000'000;
@@ -32,9 +41,7 @@ bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptio
 /// Whether the mark would be found on the mesh as it is in memory, before a file rounds it.
 bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
                      const std::vector<Vec3>& positions) {
-    VerifyOptions check;
-    check.pf = options.pf;
-    check.search = SearchUse::never; // a few sizes are tried, and each search may take minutes
+    const VerifyOptions check = self_check_options(options, ambiguity_of(mesh));
     return verify(TriangleMesh{positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
 }
 
@@ -84,8 +91,7 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     result.ambiguity = ambiguity_of(model.mesh());
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
     const io::Model written = model.read_back(result.files);
-    VerifyOptions check;
-    check.pf = options.mark.pf;
+    const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
     result.check = verify(suspect, key, check, progress);
     const TriangleMesh& mesh = model.mesh();

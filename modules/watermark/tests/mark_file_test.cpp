@@ -91,6 +91,24 @@ TEST_CASE("nothing is written where the mark would not be found again") {
     CHECK(shop.files() == 1);
 }
 
+TEST_CASE("a weak mark on an open model is given up without a search for minutes, one on a gear is found") {
+    TriangleMesh open = shapes::blob(2000, 4);
+    std::erase_if(open.triangles, [&](const Triangle& t) { return open.positions[t[0]].z() > 0.3; });
+    MarkModelOptions options;
+    options.mark.strength = 1e-4;
+    const io::Model weak = io::parse(io::encode(open, io::Format::obj), io::Format::obj, "open.obj");
+    const MarkedModel lost = mark_model(weak, key_of_tests, options);
+    CHECK(lost.loss == Loss::power);
+    CHECK((!lost.check.search || lost.check.search->centres == 0));
+
+    options.mark.strength = 0.2;
+    const io::Model gear =
+        io::parse(io::encode(shapes::gear(24, 8000), io::Format::obj), io::Format::obj, "gear.obj");
+    const MarkedModel found = mark_model(gear, key_of_tests, options);
+    CHECK(found.ambiguity != resync::Ambiguity::none);
+    CHECK(found.loss == Loss::none);
+}
+
 TEST_CASE("a file in the way is found out before any work, and left alone") {
     const Workshop shop(tetrahedron());
     io::write_file(shop.out, "mine");

@@ -13,8 +13,8 @@ namespace wm3d::search {
 struct Outline {
     Vec3 centroid = Vec3::Zero(); ///< of the solid, or of the surface where that encloses little
     double radius = 1;            ///< mean distance of the surface from it
-    /// Unit vector out of the largest opening, or the mean of all openings if they sum up to more: what was
-    /// cut away lay that way. Zero if there is no opening to speak of.
+    /// Unit vector from the centroid towards the openings' mean place: what was cut away lay beyond. Where they
+    /// lie about the centroid, out of them. Zero if there is no opening to speak of.
     Vec3 outwards = Vec3::Zero();
     double opening = 0; ///< area that would close the largest border, relative to the surface
 };
@@ -25,7 +25,7 @@ Outline outline(const TriangleMesh& mesh);
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
     double least_opening = 0.002; ///< relative area from which an opening tells a direction
-    double wide = 1.1; ///< angle from the opening's axis at which a place counts as twice as far, radians
+    double wide = 0.6; ///< angle from the opening's axis at which a place counts as twice as far, radians
 };
 
 /// The first `count` places of a body-centred cubic lattice around the centroid, in the coordinates of the
