@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  Measures what the search of all poses takes, and what it says of wrong keys, for docs/resync.md.
-/// Usage: search_bench [places|absent|keys|peer|picture]... [TRIALS]; the models are looked for in
+/// Usage: search_bench [places|levels|absent|keys|peer|picture]... [TRIALS]; the models are looked for in
 /// WM3D_MESHES. Times are of the processor, over all threads. How often it finds marks: search_rates.
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <wm3d/attack.hpp>
 #include <wm3d/detect/tail.hpp>
@@ -220,6 +221,55 @@ void peer(std::size_t trials) {
         by_transform, one * rotations, one, one * rotations / by_transform, best);
 }
 
+/// The highest of all rotations about a centre, in standard deviations.
+float highest(const TriangleMesh& base, const detect::Evidence& evidence, const Vec3& centre,
+              const search::Harmonics& w) {
+    std::vector<Vec3> directions = base.positions;
+    for (Vec3& d : directions)
+        d -= centre;
+    const search::Harmonics f = search::HarmonicTransform(w.bandwidth)
+                                    .of_points(directions, evidence.seen_from(centre).weights_at(1));
+    float best = 0;
+    search::RotationCorrelation<float>(w.bandwidth, 2 * w.bandwidth)(
+        f, w, [&](std::size_t, std::span<const float> t) { best = std::max(best, std::ranges::max(t)); });
+    return best / static_cast<float>(search::spread(f, w));
+}
+
+/// What the default budget gives on a coarser level of the sphere: how sure the mark is, and how far off a
+/// centre may be to show it, in harmonics below 32 and below 64.
+void levels(std::size_t trials) {
+    const std::vector<double> off{0, 0.03, 0.045, 0.09, 0.18};
+    fmt::print(
+        "| model | level | log10 p | harmonics below | highest of all rotations, about a centre off by {} "
+        "|\n|---|---|---|---|---|\n",
+        fmt::join(off, ", "));
+    for (std::size_t k = 0; k < std::min(trials, scans.size()); ++k)
+        for (const unsigned level : {5U, 4U, 3U}) {
+            const key::Key key = bench_key();
+            TriangleMesh mesh = load(scans[k]);
+            watermark::MarkOptions options;
+            options.level = level;
+            mesh.positions = watermark::mark(mesh, key, options).positions;
+            const double log10_p = watermark::verify(mesh, key).score.log10_p;
+            const Frame frame = canonical_frame(mesh);
+            const TriangleMesh base =
+                watermark::simplify_suspect(to_frame(mesh, frame), watermark::default_vertices).base;
+            const detect::Evidence evidence(base);
+            const sphere::Icosphere sphere(level);
+            const search::KeyFunction function(sphere, key::watermark_sequence(key.secret(), level, 0.1),
+                                               0.1);
+            for (const unsigned bandwidth : {32U, 64U}) {
+                std::vector<float> sigmas;
+                for (const double distance : off)
+                    sigmas.push_back(highest(base, evidence, distance * Vec3(2, -1, 2) / 3,
+                                             function.harmonics(bandwidth)));
+                fmt::print("| {} | {} | {:.0f} | {} | {:.1f} |\n", scans[k], level, log10_p, bandwidth,
+                           fmt::join(sigmas, ", "));
+                std::fflush(stdout);
+            }
+        }
+}
+
 /// Best score over all rotations about the centres of a plane through the suspect's own centre and the true
 /// one: for docs/figures/search-scores.
 void picture(std::size_t trials) {
@@ -265,8 +315,9 @@ void picture(std::size_t trials) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::map<std::string, void (*)(std::size_t)> all{
-        {"places", places}, {"absent", absent}, {"keys", keys}, {"peer", peer}, {"picture", picture}};
+    const std::map<std::string, void (*)(std::size_t)> all{{"places", places}, {"levels", levels},
+                                                           {"absent", absent}, {"keys", keys},
+                                                           {"peer", peer},     {"picture", picture}};
     std::size_t trials = 3;
     std::vector<std::string> chosen;
     for (int k = 1; k < argc; ++k) {
@@ -275,7 +326,7 @@ int main(int argc, char** argv) {
         else if (const int number = std::atoi(argv[k]); number > 0)
             trials = static_cast<std::size_t>(number);
         else {
-            fmt::print(stderr, "usage: search_bench [places|absent|keys|peer|picture]... [TRIALS]\n");
+            fmt::print(stderr, "usage: search_bench [places|levels|absent|keys|peer|picture]... [TRIALS]\n");
             return 2;
         }
     }

@@ -180,10 +180,10 @@ void Rates::make(const Trial& trial, double effort) {
                        result.seconds, result.centres, effort);
 }
 
-/// The quick searches of all trials first; then longer ones of what they missed.
+/// Searches of the usual effort of all trials first; then longer ones of what they missed.
 void make_trials(Rates& rates, const std::vector<std::string>& prefixes, double minutes) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(60 * minutes);
-    for (const double effort : {0.2, 1.0, 4.0})
+    for (const double effort : {1.0, 4.0})
         for (const Trial& trial : all_trials()) {
             if (std::ranges::none_of(prefixes,
                                      [&](const std::string& p) { return trial.name().starts_with(p); }))

@@ -185,8 +185,8 @@ std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const 
     return levels;
 }
 
-/// The likeliest level first, on a wide and then on a fine lattice of centres; then the next level, the
-/// mirror image, and the rest.
+/// The likeliest places at the two likeliest levels; then the likeliest level on a wide lattice of centres,
+/// the next level, the mirror image, the fine lattice, and the rest.
 std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
     const std::vector<unsigned> levels = ordered_levels(piece.suspect.mesh.positions.size());
     wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.55 : 1));
@@ -197,9 +197,15 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
                                                        : static_cast<double>(wide_.size());
         return std::span<const Vec3>(wide_).first(static_cast<std::size_t>(count));
     };
-    std::vector<search::Target> result{{levels.front(), &key(levels.front()), false, wide_}};
+    const std::size_t soon = std::min<std::size_t>(128, first(0.35).size());
+    std::vector<search::Target> result{
+        {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).first(soon)}};
     if (levels.size() > 1)
-        result.push_back({levels[1], &key(levels[1]), false, first(0.35)});
+        result.push_back({levels[1], &key(levels[1]), false, first(0.35).first(soon)});
+    result.push_back(
+        {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).subspan(soon)});
+    if (levels.size() > 1)
+        result.push_back({levels[1], &key(levels[1]), false, first(0.35).subspan(soon)});
     result.push_back({levels.front(), &key(levels.front()), true, first(0.2)});
     result.push_back({levels.front(), &key(levels.front()), false, fine_});
     for (std::size_t k = 2; k < levels.size(); ++k)
