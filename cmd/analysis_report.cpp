@@ -31,9 +31,14 @@ std::string kind_for_people(RocKind kind) {
     }
 }
 
-std::string setting_for_people(double gamma, std::size_t vertices, std::optional<double> strength) {
-    return strength ? fmt::format("{:g} %, n = {}", *strength, vertices)
-                    : fmt::format("\u03b3 = {:g}, n = {}", gamma, vertices);
+/// "visibility 0.1", "0.05 %" or a gamma: what was asked for.
+template<typename Curve>
+std::string setting_for_people(const Curve& curve) {
+    const std::optional<double> strength = curve.strength;
+    const std::string size = curve.visibility ? fmt::format("visibility {:g}", *curve.visibility)
+                             : strength       ? fmt::format("{:g} %", *strength)
+                                              : fmt::format("\u03b3 = {:g}", curve.gamma);
+    return fmt::format("{}, n = {}", size, curve.vertices);
 }
 
 bool of_mesh(const AnalysisReport& report) {
@@ -41,13 +46,12 @@ bool of_mesh(const AnalysisReport& report) {
 }
 
 std::string heading(const AnalysisReport& report, const RocCurve& curve) {
-    const std::string setting = setting_for_people(curve.gamma, curve.vertices, curve.strength);
+    const std::string setting = setting_for_people(curve);
     return of_mesh(report) ? fmt::format("{}, {}", kind_for_people(curve.kind), setting) : setting;
 }
 
 std::string heading(const MeasuredCurve& curve) {
-    return fmt::format("{} measured, {}", kind_for_people(curve.kind),
-                       setting_for_people(curve.gamma, curve.vertices, curve.strength));
+    return fmt::format("{} measured, {}", kind_for_people(curve.kind), setting_for_people(curve));
 }
 
 /// A probability in a few digits, also where it underflows.
@@ -69,7 +73,7 @@ std::string optional_number(std::optional<double> x) {
 /// Curves of one group stand side by side.
 template<typename C>
 std::string group(const C& curve) {
-    return "P_m, " + setting_for_people(curve.gamma, curve.vertices, curve.strength);
+    return "P_m, " + setting_for_people(curve);
 }
 
 /// The table with this heading, made with a row for every P_f if there is none yet.
@@ -103,23 +107,27 @@ ordered_json to_json(const RocCurve& curve, const RocPoint& p) {
         json["threshold"] = *p.threshold;
     if (p.log10_true_pf)
         json["log10_true_pf"] = *p.log10_true_pf;
+    if (curve.visibility)
+        json["visibility"] = *curve.visibility;
     if (curve.strength)
         json["strength_percent"] = *curve.strength;
     return json;
 }
 
 ordered_json to_json(const MeasuredCurve& curve, const MeasuredPoint& p) {
-    return {{"detector", study::name(curve.kind)},
-            {"gamma", curve.gamma},
-            {"vertices", curve.vertices},
-            {"strength_percent", curve.strength},
-            {"pf", p.pf},
-            {"trials", curve.trials},
-            {"missed", p.missed},
-            {"pm", p.pm},
-            {"low", p.low},
-            {"high", p.high},
-            {"confidence", study::roc_confidence}};
+    ordered_json json{
+        {"detector", study::name(curve.kind)}, {"gamma", curve.gamma}, {"vertices", curve.vertices}};
+    if (curve.visibility)
+        json["visibility"] = *curve.visibility;
+    json.update({{"strength_percent", curve.strength},
+                 {"pf", p.pf},
+                 {"trials", curve.trials},
+                 {"missed", p.missed},
+                 {"pm", p.pm},
+                 {"low", p.low},
+                 {"high", p.high},
+                 {"confidence", study::roc_confidence}});
+    return json;
 }
 
 ordered_json to_json(const study::MeshStatistics& s) {
@@ -133,12 +141,17 @@ ordered_json to_json(const study::MeshStatistics& s) {
             {"null_sigma_ratio", s.null_sigma_ratio}};
 }
 
-/// Curves that share gamma or strength share the colour; those that share n and detector share the dash.
+/// What was asked for.
+template<typename Curve>
+double size_of(const Curve& curve) {
+    const std::optional<double> strength = curve.strength;
+    return curve.visibility.value_or(strength.value_or(curve.gamma));
+}
+
+/// Curves that share gamma, strength or visibility share the colour; those that share n and detector share the dash.
 class Looks {
 public:
-    int colour(double strength_or_gamma, RocKind kind) {
-        return number(colours_, {strength_or_gamma, static_cast<double>(kind)});
-    }
+    int colour(double size, RocKind kind) { return number(colours_, {size, static_cast<double>(kind)}); }
     int dash(std::size_t vertices) { return number(dashes_, {static_cast<double>(vertices), 0}); }
 
 private:
@@ -155,9 +168,8 @@ std::vector<RocTable> roc_tables(const AnalysisReport& report) {
     std::vector<RocTable> tables;
     for (const RocCurve& curve : report.predicted)
         add_column(table_for(tables, of_mesh(report) ? group(curve) : std::string(), curve.points),
-                   of_mesh(report) ? kind_for_people(curve.kind)
-                                   : setting_for_people(curve.gamma, curve.vertices, {}),
-                   curve.points, [](const RocPoint& p) { return short_probability(p.pm, p.log10_pm); });
+                   of_mesh(report) ? kind_for_people(curve.kind) : setting_for_people(curve), curve.points,
+                   [](const RocPoint& p) { return short_probability(p.pm, p.log10_pm); });
     for (const MeasuredCurve& curve : report.measured)
         add_column(table_for(tables, group(curve), curve.points), kind_for_people(curve.kind) + " measured",
                    curve.points, interval);
@@ -176,24 +188,25 @@ report::Table mesh_table(const AnalysisReport& report) {
 }
 
 report::Table long_table(const AnalysisReport& report) {
-    report::Table table{{"source", "detector", "gamma", "vertices", "strength_percent", "pf", "pm",
-                         "log10_pm", "threshold", "log10_true_pf", "trials", "missed", "low", "high"},
+    report::Table table{{"source", "detector", "gamma", "vertices", "visibility", "strength_percent", "pf",
+                         "pm", "log10_pm", "threshold", "log10_true_pf", "trials", "missed", "low", "high"},
                         {}};
     for (const RocCurve& curve : report.predicted)
         for (const RocPoint& p : curve.points)
-            table.rows.push_back(
-                {"predicted", std::string(study::name(curve.kind)), fmt::format("{}", curve.gamma),
-                 fmt::format("{}", curve.vertices), optional_number(curve.strength), fmt::format("{}", p.pf),
-                 fmt::format("{}", p.pm), fmt::format("{}", p.log10_pm), optional_number(p.threshold),
-                 optional_number(p.log10_true_pf), "", "", "", ""});
+            table.rows.push_back({"predicted", std::string(study::name(curve.kind)),
+                                  fmt::format("{}", curve.gamma), fmt::format("{}", curve.vertices),
+                                  optional_number(curve.visibility), optional_number(curve.strength),
+                                  fmt::format("{}", p.pf), fmt::format("{}", p.pm),
+                                  fmt::format("{}", p.log10_pm), optional_number(p.threshold),
+                                  optional_number(p.log10_true_pf), "", "", "", ""});
     for (const MeasuredCurve& curve : report.measured)
         for (const MeasuredPoint& p : curve.points)
             table.rows.push_back({"measured", std::string(study::name(curve.kind)),
                                   fmt::format("{}", curve.gamma), fmt::format("{}", curve.vertices),
-                                  fmt::format("{}", curve.strength), fmt::format("{}", p.pf),
-                                  fmt::format("{}", p.pm), "", "", "", fmt::format("{}", curve.trials),
-                                  fmt::format("{}", p.missed), fmt::format("{}", p.low),
-                                  fmt::format("{}", p.high)});
+                                  optional_number(curve.visibility), fmt::format("{}", curve.strength),
+                                  fmt::format("{}", p.pf), fmt::format("{}", p.pm), "", "", "",
+                                  fmt::format("{}", curve.trials), fmt::format("{}", p.missed),
+                                  fmt::format("{}", p.low), fmt::format("{}", p.high)});
     return table;
 }
 
@@ -217,7 +230,7 @@ report::Plot roc_plot(const AnalysisReport& report) {
     Looks looks;
     for (const RocCurve& curve : report.predicted) {
         report::Curve line{.name = heading(report, curve),
-                           .colour = looks.colour(curve.strength.value_or(curve.gamma), curve.kind),
+                           .colour = looks.colour(size_of(curve), curve.kind),
                            .dash = looks.dash(curve.vertices),
                            .points = {}};
         for (const RocPoint& p : curve.points)
@@ -227,7 +240,7 @@ report::Plot roc_plot(const AnalysisReport& report) {
     for (const MeasuredCurve& curve : report.measured) {
         report::Curve points{.name = heading(curve),
                              .style = report::Curve::Style::points,
-                             .colour = looks.colour(curve.strength, curve.kind),
+                             .colour = looks.colour(size_of(curve), curve.kind),
                              .dash = looks.dash(curve.vertices),
                              .points = {}};
         for (const MeasuredPoint& p : curve.points)

@@ -19,6 +19,7 @@
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
 #include "support/number_list.hpp"
+#include "support/profile_option.hpp"
 #include "support/usage.hpp"
 
 namespace wm3d::cmd {
@@ -29,7 +30,8 @@ using nlohmann::ordered_json;
 
 struct AnalyzeArguments {
     MeshFiles files;
-    std::string pf, pf_range = "1e-12:0.5:50", gamma, vertices, strength;
+    std::string pf, pf_range = "1e-12:0.5:50", gamma, vertices, visibility, strength;
+    watermark::Profile profile = watermark::Profile::masked;
     double sigma_r2 = 0, delta_range = 0;
     std::string key, attack;
     std::optional<unsigned> level;
@@ -114,10 +116,14 @@ key::PublicParameters parameters_of(const std::optional<key::Key>& key) {
 study::TrialSetting setting_of(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
                                const std::optional<key::Key>& key, std::size_t vertices) {
     study::TrialSetting setting;
+    setting.profile = arguments.profile;
+    setting.sizing = arguments.strength.empty() ? study::Sizing::visibility : study::Sizing::strength;
+    if (arguments.recommend)
+        setting.sizing = study::best_sizing(arguments.profile);
     setting.vertices = vertices;
     setting.parameters = parameters_of(key);
     setting.level = arguments.level.value_or(
-        watermark::default_level(setting.parameters, mesh.positions.size(), watermark::Profile::paper));
+        watermark::default_level(setting.parameters, mesh.positions.size(), arguments.profile));
     return setting;
 }
 
@@ -140,14 +146,17 @@ std::vector<std::size_t> vertices_of(const AnalyzeArguments& arguments) {
     return parse_counts(arguments.vertices, "--vertices", 4);
 }
 
-std::vector<double> strengths_of(const AnalyzeArguments& arguments) {
-    if (arguments.strength.empty())
-        return {watermark::default_strength};
-    return parse_numbers(arguments.strength, "--strength", positive_numbers("0.05"));
+/// Sizes of marks, in the setting's sizing.
+std::vector<double> sizes_of(const AnalyzeArguments& arguments) {
+    if (!arguments.strength.empty())
+        return parse_numbers(arguments.strength, "--strength", positive_numbers("0.05"));
+    if (!arguments.visibility.empty())
+        return parse_numbers(arguments.visibility, "--visibility", shares("0.1"));
+    return {watermark::default_visibility};
 }
 
 void require_base(const AnalyzeArguments& arguments, const study::TrialBench& bench, std::size_t asked) {
-    const std::size_t got = bench.marker().domain().mesh.positions.size();
+    const std::size_t got = bench.base().size();
     if (!arguments.vertices.empty() && got < asked)
         throw ParameterError(
             fmt::format("{}: the mesh has {} vertices, too few for a base domain of {}; ask for "
@@ -155,13 +164,14 @@ void require_base(const AnalyzeArguments& arguments, const study::TrialBench& be
                         display_name(arguments.files.input), got, asked, got));
 }
 
-/// All trials of one bench and strength: those in the log, and the rest, which go there.
+/// All trials of one bench and size: those in the log, and the rest, which go there.
 std::vector<study::Trial> trials_of(const AnalyzeArguments& arguments, const study::TrialBench& bench,
-                                    double strength, const std::string& damage, study::TrialLog* log,
+                                    double size, const std::string& damage, study::TrialLog* log,
                                     const Progress& progress) {
     const study::TrialSetting& setting = bench.setting();
     const std::string name =
-        fmt::format("strength {} vertices {} level {} rmax {} damage {} seed {}", strength, setting.vertices,
+        fmt::format("profile {} {} {} vertices {} level {} rmax {} damage {} seed {}",
+                    watermark::name(setting.profile), study::name(setting.sizing), size, setting.vertices,
                     setting.level, setting.parameters.rmax, damage, arguments.seed);
     std::map<std::size_t, study::Trial> done;
     if (log != nullptr)
@@ -174,7 +184,7 @@ std::vector<study::Trial> trials_of(const AnalyzeArguments& arguments, const stu
         if (log != nullptr)
             log->append(name, trial);
     };
-    for (study::Trial& trial : study::run_trials(bench, strength, arguments.seed, missing, keep, progress))
+    for (study::Trial& trial : study::run_trials(bench, size, arguments.seed, missing, keep, progress))
         done[trial.number] = std::move(trial);
     std::vector<study::Trial> trials;
     for (std::size_t number = 0; number < arguments.trials; ++number)
@@ -182,20 +192,18 @@ std::vector<study::Trial> trials_of(const AnalyzeArguments& arguments, const stu
     return trials;
 }
 
-void measure(const AnalyzeArguments& arguments, const study::TrialBench& bench, double strength,
+void measure(const AnalyzeArguments& arguments, const study::TrialBench& bench, double size,
              const std::string& damage, study::TrialLog* log, AnalysisReport& report, Output& output) {
     const std::vector<study::Trial> trials =
-        trials_of(arguments, bench, strength, damage, log, output.progress());
-    const std::size_t n = bench.marker().domain().mesh.positions.size();
-    using enum study::RocKind;
-    for (study::RocKind kind : {paper, paper_true, whitened})
+        trials_of(arguments, bench, size, damage, log, output.progress());
+    for (study::RocKind kind : study::detectors_for(arguments.profile))
         report.measured.push_back(
-            study::measured_roc(kind, trials, n, strength, probabilities_of(arguments)));
+            study::measured_roc(kind, trials, bench, size, probabilities_of(arguments)));
 }
 
 AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMesh& mesh,
                             const std::optional<key::Key>& key, Output& output) {
-    const std::vector<double> pf = probabilities_of(arguments), strengths = strengths_of(arguments);
+    const std::vector<double> pf = probabilities_of(arguments), sizes = sizes_of(arguments);
     const study::NamedDamage damage = damage_of(arguments);
     std::unique_ptr<study::TrialLog> log;
     if (!arguments.resume.empty())
@@ -211,12 +219,12 @@ AnalysisReport analyze_mesh(const AnalyzeArguments& arguments, const TriangleMes
         require_base(arguments, bench, n);
         report.mesh.push_back(
             study::mesh_statistics(bench, key ? key->secret() : key::null_secret(arguments.seed, 0)));
-        for (double strength : strengths) {
-            std::vector<study::RocCurve> curves = study::predicted_rocs(
-                bench, report.mesh.back(), strength, pf, arguments.pilots, output.progress());
+        for (double size : sizes) {
+            std::vector<study::RocCurve> curves = study::predicted_rocs(bench, report.mesh.back(), size, pf,
+                                                                        arguments.pilots, output.progress());
             std::ranges::move(curves, std::back_inserter(report.predicted));
             if (arguments.trials > 0)
-                measure(arguments, bench, strength, damage.name, log.get(), report, output);
+                measure(arguments, bench, size, damage.name, log.get(), report, output);
         }
     }
     return report;
@@ -245,24 +253,35 @@ ordered_json to_json(const study::Recommendation& advice, const study::Requireme
         outcomes.push_back({{"attack", outcome.damage},
                             {"pm", std::pow(10, outcome.log10_pm)},
                             {"log10_pm", outcome.log10_pm}});
-    return {{"reached", advice.reached},
-            {"pf", requirement.pf},
-            {"pm", requirement.pm},
-            {"strength_percent", advice.strength},
-            {"gamma", advice.gamma},
-            {"rms_percent", advice.distortion.normal_rms},
-            {"vertex_rms_percent", advice.distortion.vertex_rms},
-            {"max_percent", advice.distortion.max},
-            {"outcomes", outcomes}};
+    ordered_json json{{"reached", advice.reached}, {"pf", requirement.pf}, {"pm", requirement.pm}};
+    if (advice.sizing == study::Sizing::visibility)
+        json["visibility"] = advice.size;
+    json.update({{"strength_percent",
+                  advice.sizing == study::Sizing::strength ? advice.size : advice.distortion.normal_rms},
+                 {"gamma", advice.gamma},
+                 {"rms_percent", advice.distortion.normal_rms},
+                 {"vertex_rms_percent", advice.distortion.vertex_rms},
+                 {"max_percent", advice.distortion.max},
+                 {"outcomes", outcomes}});
+    return json;
 }
 
-std::string sentence(const study::Recommendation& advice, const study::Requirement& requirement) {
+/// The options of `mark` that make such marks.
+std::string mark_options(const study::Recommendation& advice, watermark::Profile profile) {
+    std::string options = fmt::format("--{} {:.4g}", study::name(advice.sizing), advice.size);
+    if (profile != watermark::Profile::masked)
+        options += fmt::format(" --profile {}", watermark::name(profile));
+    return options;
+}
+
+std::string sentence(const study::Recommendation& advice, const study::Requirement& requirement,
+                     watermark::Profile profile) {
     if (!advice.reached)
-        return fmt::format("No strength up to {:g} % meets P_f = {:g} and P_m = {:g} on this mesh.\n",
-                           study::largest_strength, requirement.pf, requirement.pm);
-    return fmt::format(
-        "Mark with --strength {:.4g}: at P_f = {:g} the mark is missed with probability {:g} at most.\n",
-        advice.strength, requirement.pf, requirement.pm);
+        return fmt::format("No {} up to {} meets P_f = {:g} and P_m = {:g} on this mesh.\n",
+                           study::name(advice.sizing), study::largest_size(advice.sizing), requirement.pf,
+                           requirement.pm);
+    return fmt::format("Mark with {}: at P_f = {:g} the mark is missed with probability {:g} at most.\n",
+                       mark_options(advice, profile), requirement.pf, requirement.pm);
 }
 
 int recommend(const AnalyzeArguments& arguments, const TriangleMesh& mesh, const std::optional<key::Key>& key,
@@ -273,7 +292,7 @@ int recommend(const AnalyzeArguments& arguments, const TriangleMesh& mesh, const
         throw ParameterError("--recommend takes one number of --vertices");
     const study::Recommendation advice = study::recommend(
         mesh, setting_of(arguments, mesh, key, vertices.front()), requirement, output.progress());
-    output.print(sentence(advice, requirement));
+    output.print(sentence(advice, requirement, arguments.profile));
     report::Table table{{"after", "log10 P_m"}, {}};
     for (const study::Outcome& outcome : advice.outcomes)
         table.rows.push_back({outcome.damage, fmt::format("{:.2f}", outcome.log10_pm)});
@@ -294,7 +313,7 @@ void require_consistent(const CLI::App& app, const AnalyzeArguments& arguments) 
         if (mesh && app.count(name) > 0)
             throw ParameterError(
                 fmt::format("{} is for the model without a mesh; the mesh tells it itself, and "
-                            "--strength says how strong the marks are",
+                            "--visibility or --strength says how large the marks are",
                             name));
     for (const char* name : {"--sigma-r2", "--delta-range", "--gamma", "--vertices"})
         if (!mesh && app.count(name) == 0)
@@ -302,8 +321,8 @@ void require_consistent(const CLI::App& app, const AnalyzeArguments& arguments) 
                 fmt::format("without a mesh, {} is needed; the paper's figure 8 has --sigma-r2 0.032 "
                             "--delta-range 0.1 with lists of --gamma and --vertices",
                             name));
-    for (const char* name :
-         {"--strength", "--key", "--level", "--attack", "--trials", "--resume", "--recommend"})
+    for (const char* name : {"--visibility", "--strength", "--profile", "--key", "--level", "--attack",
+                             "--trials", "--resume", "--recommend"})
         if (!mesh && app.count(name) > 0)
             throw ParameterError(fmt::format("{} needs a mesh; name its file", name));
     if (app.count("--pf") > 0 && arguments.pf.empty())
@@ -337,10 +356,15 @@ void add_mesh_options(CLI::App& app, AnalyzeArguments& arguments) {
     app.add_option("--key", arguments.key, "Take levels, rmax and Delta from this key")
         ->option_text("FILE")
         ->group("With a mesh");
+    auto* visibility = app.add_option("--visibility", arguments.visibility,
+                                      "Sizes of the marks: one-sided MSDM2 that they keep to [0.1]");
+    visibility->option_text("LIST")->group("With a mesh");
     app.add_option("--strength", arguments.strength,
-                   "Strengths: root mean square move along the normals, in % of the box's diagonal [0.05]")
+                   "Sizes instead: root mean square move along the normals, in % of the box's diagonal")
         ->option_text("LIST")
+        ->excludes(visibility)
         ->group("With a mesh");
+    add_profile(app, arguments.profile)->group("With a mesh");
     app.add_option("--level", arguments.level, "Subdivisions of the watermarking sphere [5]")
         ->option_text("L")
         ->check(whole_number_between(0, sphere::max_level))
@@ -361,7 +385,9 @@ void add_mesh_options(CLI::App& app, AnalyzeArguments& arguments) {
                    "Keep every trial in FILE, and go on with those that are there")
         ->option_text("FILE")
         ->group("With a mesh");
-    app.add_flag("--recommend", arguments.recommend, "Find the smallest strength that meets --pf and --pm")
+    app.add_flag("--recommend", arguments.recommend,
+                 "Find the least visible mark that meets --pf and --pm; with --profile robust or paper the "
+                 "smallest strength")
         ->group("With a mesh");
     app.add_option("--pm", arguments.pm, "Miss probability to recommend for [1e-6]")
         ->option_text("P")
@@ -404,13 +430,14 @@ Action declare_analyze(CLI::App& app) {
     const auto arguments = std::make_shared<AnalyzeArguments>();
     app.description(
         "Says how sure an owner can be: the miss probability P_m over the false-positive probability P_f.\n"
-        "Without a mesh, that of the paper's model, eq. (5) and (6). With a mesh, also what the paper's\n"
-        "detector and the deciding one truly do there: predicted, and measured with --trials.");
+        "Without a mesh, that of the paper's model, eq. (5) and (6). With a mesh, that of the marks which\n"
+        "`mark` makes there: predicted, and measured with --trials. With --profile paper, also what the\n"
+        "paper's detector truly does.");
     add_options(app, *arguments);
     app.footer(
         "Examples:\n"
         "  wm3d analyze --sigma-r2 0.032 --delta-range 0.1 --gamma 0.1,0.2 --vertices 2500,10000\n"
-        "  wm3d analyze scan.ply --strength 0.003,0.01 --trials 200 --resume scan.trials --plot roc.html\n"
+        "  wm3d analyze scan.ply --visibility 0.02,0.1 --trials 200 --resume scan.trials --plot roc.html\n"
         "  wm3d analyze scan.ply --recommend --pf 1e-9 --pm 1e-6 --survive noise:0.3,simplify:90");
     return [arguments, &app](Output& output) { return run(app, *arguments, output); };
 }

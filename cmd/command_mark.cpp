@@ -2,7 +2,6 @@
 #include "command_mark.hpp"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 
@@ -20,6 +19,7 @@
 #include "support/copies.hpp"
 #include "support/key_files.hpp"
 #include "support/mesh_files.hpp"
+#include "support/profile_option.hpp"
 #include "support/usage.hpp"
 
 namespace wm3d::cmd {
@@ -33,7 +33,7 @@ struct MarkArguments {
     std::string commitment;
     std::string normals = "keep";
     watermark::MarkOptions options;
-    bool automatic = false; ///< find the strength
+    bool automatic = false; ///< find the visibility or the strength
     double pm = 1e-6;       ///< for `automatic`
     std::string survive;
     std::optional<std::string> payload, recipient;
@@ -44,7 +44,7 @@ void warn_if_too_coarse(const watermark::MarkedModel& result, Output& output) {
     if (result.coordinate_step > result.marked.distortion.normal_rms)
         output.warn(fmt::format(
             "the file stores coordinates in steps of {:.2g}, coarser than the mark's move of {:.2g}; "
-            "write the model with more digits before marking it, or raise --visibility or --strength",
+            "write the model with more digits before marking it",
             result.coordinate_step, result.marked.distortion.normal_rms));
 }
 
@@ -60,8 +60,8 @@ void protect_key(const MarkArguments& arguments) {
 }
 
 /// Whether visibility is what the mark keeps to.
-bool budgeted(const MarkArguments& arguments) {
-    return !arguments.options.strength && !arguments.options.gamma && !arguments.automatic;
+bool budgeted(const watermark::MarkOptions& options) {
+    return !options.strength && !options.gamma;
 }
 
 nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& key,
@@ -83,7 +83,7 @@ nlohmann::ordered_json to_json(const MarkArguments& arguments, const key::Key& k
                                    {"pf", arguments.options.pf},
                                    {"log10_p", result.check.score.log10_p},
                                    {"verdict", detect::name(result.check.verdict)}};
-    if (budgeted(arguments))
+    if (budgeted(arguments.options))
         json["visibility"] = arguments.options.visibility;
     for (const watermark::Rehearsed& r : result.rehearsed)
         json["rehearsed"].push_back({{"attack", r.attack}, {"log10_p", r.log10_p}});
@@ -160,42 +160,52 @@ void tell(const MarkArguments& arguments, const watermark::MarkedModel& result, 
         "profile                  {}, on {} vertices\n"
         "level, gamma, rmax       {}, {:.4g}, {:g}\n",
         marked.msdm2.value_or(0),
-        budgeted(arguments) ? fmt::format(" of at most {:g}", arguments.options.visibility) : "",
+        budgeted(arguments.options) ? fmt::format(" of at most {:g}", arguments.options.visibility) : "",
         d.normal_rms, d.vertex_rms, d.max, rehearsal_line(result.rehearsed), watermark::name(marked.profile),
         marked.base_vertices, marked.level, marked.gamma, marked.rmax));
 }
 
-/// With --auto the smallest strength that meets --pf and --pm, as `analyze --recommend` finds it.
-watermark::MarkOptions resolved_options(const MarkArguments& arguments, const TriangleMesh& mesh,
-                                        const key::Key& key, Output& output) {
-    watermark::MarkOptions options = arguments.options;
-    if (!arguments.automatic)
-        return options;
+study::TrialSetting trial_setting(const watermark::MarkOptions& options, const TriangleMesh& mesh,
+                                  const key::Key& key) {
+    study::TrialSetting setting;
+    setting.profile = options.profile;
+    setting.sizing = study::best_sizing(options.profile);
+    setting.vertices = options.vertices;
+    setting.parameters = key.parameters();
+    setting.level = options.level.value_or(
+        watermark::default_level(setting.parameters, mesh.positions.size(), options.profile));
+    setting.content = options.content;
+    return setting;
+}
+
+/// With --auto the least visible mark that meets --pf and --pm, as `analyze --recommend` finds it.
+void find_size(watermark::MarkOptions& options, const MarkArguments& arguments, const TriangleMesh& mesh,
+               const key::Key& key, Output& output) {
     study::Requirement requirement;
     requirement.pf = options.pf;
     requirement.pm = arguments.pm;
     if (!arguments.survive.empty())
         requirement.survive = study::parse_damages(arguments.survive);
-    study::TrialSetting setting;
-    setting.vertices = options.vertices;
-    setting.parameters = key.parameters();
-    setting.level = options.level.value_or(
-        watermark::default_level(setting.parameters, mesh.positions.size(), watermark::Profile::robust));
-    const study::Recommendation advice = study::recommend(mesh, setting, requirement, output.progress());
+    const study::Recommendation advice =
+        study::recommend(mesh, trial_setting(options, mesh, key), requirement, output.progress());
     if (!advice.reached)
         throw GeometryError(fmt::format(
-            "{}: no strength up to {:g} % meets P_f = {:g} and P_m = {:g} on this mesh; ask "
-            "for less, or mark a finer scan of the model",
-            display_name(arguments.files.input), study::largest_strength, requirement.pf, requirement.pm));
-    options.strength = advice.strength;
-    options.profile = watermark::Profile::robust; // what the advice is about
-    return options;
+            "{}: no {} up to {} meets P_f = {:g} and P_m = {:g} on this mesh; ask for less, or mark a finer "
+            "scan of the model",
+            display_name(arguments.files.input), study::name(advice.sizing),
+            study::largest_size(advice.sizing), requirement.pf, requirement.pm));
+    if (advice.sizing == study::Sizing::visibility)
+        options.visibility = advice.size;
+    else
+        options.strength = advice.size;
+    output.say(fmt::format("The smallest that meets P_f = {:g} and P_m = {:g} is --{} {:.4g}.",
+                           requirement.pf, requirement.pm, study::name(advice.sizing), advice.size));
 }
 
 watermark::MarkModelOptions model_options(const MarkArguments& arguments, const io::Model& model,
                                           const key::Key& key, Output& output) {
     watermark::MarkModelOptions options;
-    options.mark = resolved_options(arguments, model.mesh(), key, output);
+    options.mark = arguments.options;
     options.normals = arguments.normals == "recompute" ? io::Normals::turn : io::Normals::keep;
     if (arguments.files.output != "-") // what goes to a stream has no files beside it
         options.output_name = arguments.files.output;
@@ -204,10 +214,12 @@ watermark::MarkModelOptions model_options(const MarkArguments& arguments, const 
         check_entry(ledger_path(arguments.ledger, arguments.key), key, options.mark.content.copy->work,
                     *arguments.recipient);
     }
+    if (arguments.automatic)
+        find_size(options.mark, arguments, model.mesh(), key, output);
     return options;
 }
 
-int run(const MarkArguments& arguments, Output& output) {
+int run(MarkArguments arguments, Output& output) {
     const io::Format format = check_output(arguments.files, output);
     if (!arguments.receipt.empty())
         check_target(arguments.receipt, arguments.files.overwrite);
@@ -218,8 +230,10 @@ int run(const MarkArguments& arguments, Output& output) {
     watermark::require_same_format(model.format(), format, arguments.files.output);
 
     const watermark::MarkModelOptions options = model_options(arguments, model, key, output);
+    arguments.options = options.mark; // with what was found
     const watermark::MarkedModel result = watermark::mark_model(model, key, options, output.progress());
-    warn_if_too_coarse(result, output);
+    if (result.loss != watermark::Loss::visibility)
+        warn_if_too_coarse(result, output);
     if (result.loss != watermark::Loss::none) {
         output.fail(fmt::format("{}: {}", arguments.files.input,
                                 watermark::describe_loss(result, arguments.options.pf)),
@@ -278,15 +292,7 @@ void add_options(CLI::App& app, MarkArguments& arguments) {
                    "Subdivisions of the watermarking sphere [5, or 4 on small meshes]")
         ->option_text("L")
         ->check(number_between(0, sphere::max_level));
-    app.add_option(
-           "--profile", options.profile,
-           "How the mark is laid out: masked, where the surface hides it; robust, shaped for the detector; "
-           "or paper, eq. (3) alone [masked]")
-        ->option_text("NAME")
-        ->transform(CLI::CheckedTransformer(
-            std::map<std::string, watermark::Profile>{{"masked", watermark::Profile::masked},
-                                                      {"robust", watermark::Profile::robust},
-                                                      {"paper", watermark::Profile::paper}}));
+    add_profile(app, options.profile);
     app.add_option("--rmax", options.rmax, "Height of the bumps [the key's: 0.1]")
         ->option_text("R")
         ->check(number_between(1e-6, 0.999));

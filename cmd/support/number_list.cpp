@@ -47,6 +47,10 @@ NumberRule probabilities() {
     return {[](double x) { return x > 0 && x < 1; }, "a probability between 0 and 1, such as 1e-6"};
 }
 
+NumberRule shares(const std::string& example) {
+    return {[](double x) { return x > 0 && x <= 1; }, "a number above 0 and up to 1, such as " + example};
+}
+
 std::vector<double> parse_numbers(const std::string& text, const std::string& option,
                                   const NumberRule& rule) {
     if (text.empty())

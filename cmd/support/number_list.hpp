@@ -17,6 +17,7 @@ struct NumberRule {
 
 NumberRule positive_numbers(const std::string& example);
 NumberRule probabilities();
+NumberRule shares(const std::string& example);
 
 /// The numbers of "A,B,...", at least one. `option` is named in complaints.
 /// \throw ParameterError  if the list is empty or a part of it isn't what the rule wants

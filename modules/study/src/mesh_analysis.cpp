@@ -9,14 +9,18 @@ namespace wm3d::study {
 
 namespace {
 
-/// rho - mu_r mean(Delta) on the unmarked base domain, as a statistic that is linear in the key.
-detect::LinearStatistic paper_null(const TrialBench& bench) {
-    const std::vector<Vec3>& base = bench.marker().domain().mesh.positions;
+std::vector<double> radii_of(const std::vector<Vec3>& base) {
     std::vector<double> radii;
     for (const Vec3& p : base)
         radii.push_back(p.norm());
+    return radii;
+}
+
+/// rho - mu_r mean(Delta) on the unmarked base, as a statistic that is linear in the key.
+detect::LinearStatistic paper_null(const TrialBench& bench) {
+    const std::vector<Vec3> base = bench.base();
     const sphere::Icosphere sphere(bench.setting().level);
-    return detect::paper_statistic(radii, sphere::barycentric_rows(sphere, base),
+    return detect::paper_statistic(radii_of(base), sphere::barycentric_rows(sphere, base),
                                    bench.setting().parameters.rmax);
 }
 
@@ -25,7 +29,7 @@ RocCurve whitened_roc(const Response& response, std::span<const double> pf) {
     curve.kind = RocKind::whitened;
     curve.gamma = response.gamma;
     for (double p : pf) {
-        const double log10_pm = log10_miss(response, response.strength, p);
+        const double log10_pm = log10_miss(response, 1, p);
         curve.points.push_back({.pf = p, .pm = std::pow(10, log10_pm), .log10_pm = log10_pm});
     }
     return curve;
@@ -34,10 +38,8 @@ RocCurve whitened_roc(const Response& response, std::span<const double> pf) {
 } // namespace
 
 MeshStatistics mesh_statistics(const TrialBench& bench, const key::Secret& secret) {
-    const std::vector<Vec3>& base = bench.marker().domain().mesh.positions;
-    std::vector<double> radii;
-    for (const Vec3& p : base)
-        radii.push_back(p.norm());
+    const std::vector<Vec3> base = bench.base();
+    const std::vector<double> radii = radii_of(base);
     const unsigned level = bench.setting().level;
     const double rmax = bench.setting().parameters.rmax;
     const sphere::SparseRows rows = sphere::barycentric_rows(sphere::Icosphere(level), base);
@@ -51,19 +53,28 @@ MeshStatistics mesh_statistics(const TrialBench& bench, const key::Secret& secre
     return s;
 }
 
-std::vector<RocCurve> predicted_rocs(const TrialBench& bench, const MeshStatistics& statistics,
-                                     double strength, std::span<const double> pf, std::size_t pilots,
+std::vector<RocKind> detectors_for(watermark::Profile profile) {
+    using enum RocKind;
+    return profile == watermark::Profile::paper ? std::vector{paper, paper_true, whitened}
+                                                : std::vector{whitened};
+}
+
+std::vector<RocCurve> predicted_rocs(const TrialBench& bench, const MeshStatistics& statistics, double size,
+                                     std::span<const double> pf, std::size_t pilots,
                                      const Progress& progress) {
-    const Response response = pilot_response(bench, strength, pilots, progress);
+    const Response response = pilot_response(bench, pilot_marks(bench, size, pilots, progress), progress);
     std::vector<RocCurve> curves;
-    if (!bench.setting().damage) {
+    if (bench.setting().profile == watermark::Profile::paper && !bench.setting().damage) {
         curves.push_back(paper_roc(statistics.paper, response.gamma, pf));
         curves.push_back(true_paper_roc(statistics.paper, paper_null(bench), response.gamma, pf));
     }
     curves.push_back(whitened_roc(response, pf));
     for (RocCurve& curve : curves) {
         curve.vertices = statistics.paper.n;
-        curve.strength = strength;
+        const bool by_strength = bench.setting().sizing == Sizing::strength;
+        curve.strength = by_strength ? size : response.distortion.normal_rms;
+        if (!by_strength)
+            curve.visibility = size;
     }
     return curves;
 }

@@ -17,7 +17,7 @@ RocCurve paper_roc(const PaperModel& model, double gamma, std::size_t vertices, 
 }
 
 RocCurve paper_roc(const detect::PaperStatistics& s, double gamma, std::span<const double> pf) {
-    RocCurve curve{RocKind::paper, gamma, s.n, {}, {}};
+    RocCurve curve{.kind = RocKind::paper, .gamma = gamma, .vertices = s.n, .points = {}};
     const double sigma_r = std::sqrt(s.sigma_r2);
     for (double p : pf)
         curve.points.push_back(
@@ -32,7 +32,7 @@ RocCurve paper_roc(const detect::PaperStatistics& s, double gamma, std::span<con
 
 RocCurve true_paper_roc(const detect::PaperStatistics& s, const detect::LinearStatistic& null, double gamma,
                         std::span<const double> pf) {
-    RocCurve curve{RocKind::paper_true, gamma, s.n, {}, {}};
+    RocCurve curve{.kind = RocKind::paper_true, .gamma = gamma, .vertices = s.n, .points = {}};
     const double shift = gamma * (s.delta_mean_square - s.delta_mean * s.delta_mean);
     for (double p : pf) {
         const double t = detect::tail_quantile(null, std::log10(p));

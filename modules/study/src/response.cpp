@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/normal_orthant.hpp>
 #include <wm3d/detect/tail.hpp>
 
@@ -36,6 +36,22 @@ Eigen::MatrixXd host_covariance(const std::vector<detect::LinearStatistic>& host
     return covariance;
 }
 
+Eigen::VectorXd mean_of(const std::vector<Eigen::VectorXd>& x) {
+    Eigen::VectorXd mean = Eigen::VectorXd::Zero(x.front().size());
+    for (const Eigen::VectorXd& row : x)
+        mean += row / static_cast<double>(x.size());
+    return mean;
+}
+
+/// Covariance of the m of another key, as far as these tell it, and of their mean: that is unknown as well.
+Eigen::MatrixXd mark_covariance(const std::vector<Eigen::VectorXd>& mark, const Eigen::VectorXd& mean) {
+    const auto count = static_cast<double>(mark.size());
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(mean.size(), mean.size());
+    for (const Eigen::VectorXd& m : mark)
+        covariance += (m - mean) * (m - mean).transpose();
+    return mark.size() > 1 ? (1 + 1 / count) / (count - 1) * covariance : covariance;
+}
+
 /// Thresholds of the standardized scores: the exact null quantile at each hypothesis' share of P_f.
 Eigen::VectorXd thresholds(const Response& response, double pf) {
     const double log10_share = std::log10(pf) - std::log10(static_cast<double>(response.hypotheses));
@@ -49,18 +65,27 @@ Eigen::VectorXd thresholds(const Response& response, double pf) {
 
 } // namespace
 
-Response pilot_response(const TrialBench& bench, double strength, std::size_t marks,
+std::vector<watermark::Marked> pilot_marks(const TrialBench& bench, double size, std::size_t count,
+                                           const Progress& progress) {
+    std::vector<watermark::Marked> marks(count);
+    notify(progress, "trying marks", 0);
+    parallel_tasks(count, [&](std::size_t k) { marks[k] = bench.mark(size, pilot_seed, k); });
+    return marks;
+}
+
+Response pilot_response(const TrialBench& bench, const std::vector<watermark::Marked>& pilots,
                         const Progress& progress) {
     Response response;
     response.host = bench.host();
     response.hypotheses = bench.hypotheses();
-    response.strength = strength;
-    std::vector<std::size_t> numbers(marks);
-    std::iota(numbers.begin(), numbers.end(), 0);
-    for (Trial& trial : run_trials(bench, strength, pilot_seed, numbers, {}, progress)) {
+    std::vector<Trial> trials(pilots.size());
+    parallel_tasks(pilots.size(),
+                   [&](std::size_t k) { trials[k] = bench.examine(pilots[k], pilot_seed, k); });
+    notify(progress, "trying marks", 1);
+    for (Trial& trial : trials) {
         response.mark.push_back(std::move(trial.mark));
         response.variance.push_back(std::move(trial.variance));
-        const double share = 1 / static_cast<double>(marks);
+        const double share = 1 / static_cast<double>(pilots.size());
         response.gamma += share * trial.gamma;
         response.distortion.normal_rms += share * trial.distortion.normal_rms;
         response.distortion.vertex_rms += share * trial.distortion.vertex_rms;
@@ -69,19 +94,13 @@ Response pilot_response(const TrialBench& bench, double strength, std::size_t ma
     return response;
 }
 
-double log10_miss(const Response& response, double strength, double pf) {
-    const double scale = strength / response.strength;
-    const auto marks = static_cast<double>(response.mark.size());
-    Eigen::VectorXd mean = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(response.host.size())),
-                    added = mean;
-    for (std::size_t k = 0; k < response.mark.size(); ++k) {
-        mean += scale / marks * response.mark[k];
-        added += scale * scale / marks * response.variance[k];
-    }
-    // T spreads as it does over random keys on the host; the marks themselves hardly differ.
-    const Eigen::MatrixXd covariance = host_covariance(response.host);
-    const Eigen::VectorXd sigma =
-        (covariance.diagonal() + added).cwiseMax(1e-3 * covariance.diagonal()).cwiseSqrt();
+double log10_miss(const Response& response, double factor, double pf) {
+    const Eigen::VectorXd mark = mean_of(response.mark), mean = factor * mark;
+    const Eigen::MatrixXd host = host_covariance(response.host);
+    const Eigen::VectorXd sigma = (host.diagonal() + factor * factor * mean_of(response.variance))
+                                      .cwiseMax(1e-3 * host.diagonal())
+                                      .cwiseSqrt();
+    const Eigen::MatrixXd covariance = host + factor * factor * mark_covariance(response.mark, mark);
     const Eigen::VectorXd unit = sigma.cwiseInverse();
     const double by_chance = static_cast<double>(response.hypotheses - response.host.size()) *
                              std::log1p(-pf / static_cast<double>(response.hypotheses)) / std::numbers::ln10;

@@ -87,25 +87,49 @@ bool missed(RocKind kind, const Trial& trial, double pf) {
 
 } // namespace
 
+std::string_view name(Sizing sizing) {
+    return sizing == Sizing::visibility ? "visibility" : "strength";
+}
+
 TrialBench::TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Progress& progress)
-    : mesh_(mesh), setting_(std::move(setting)), marker_(mesh, setting_.vertices, progress) {
+    : mesh_(mesh), setting_(std::move(setting)),
+      marker_(std::make_shared<const watermark::Marker>(mesh, setting_.vertices, progress)) {
     if (std::ranges::find(setting_.parameters.levels, setting_.level) == setting_.parameters.levels.end())
         throw ParameterError(
             fmt::format("the key admits marks of level {} and not of {}, so verify would not look for "
                         "it; choose one of them",
                         fmt::join(setting_.parameters.levels, ", "), setting_.level));
+    const Frame frame = canonical_frame(mesh);
+    const watermark::Suspect simplified = watermark::simplify_suspect(mesh, setting_.vertices, progress);
+    simplified_ = to_frame(simplified.base, frame).positions;
     const watermark::Examination unharmed(
-        mesh, watermark::examination_options(setting_.parameters, setting_.vertices), progress);
+        simplified, watermark::examination_options(setting_.parameters, setting_.vertices), progress);
     hypotheses_ = unharmed.family().size();
-    unharmed_ = host_ =
-        statistics_of(unharmed, nearest_pose(unharmed, canonical_frame(mesh)), setting_.level);
-    if (setting_.damage) {
-        const watermark::Examination damaged(
-            setting_.damage(mesh, 0), watermark::examination_options(setting_.parameters, setting_.vertices),
-            progress);
-        hypotheses_ = damaged.family().size();
-        host_ = statistics_of(damaged, true_pose(damaged), setting_.level);
-    }
+    unharmed_ = host_ = statistics_of(unharmed, nearest_pose(unharmed, frame), setting_.level);
+    damage_host(progress);
+}
+
+TrialBench::TrialBench(const TrialBench& other, Damage damage, const Progress& progress)
+    : mesh_(other.mesh_), setting_(other.setting_), marker_(other.marker_), simplified_(other.simplified_),
+      hypotheses_(other.hypotheses_), unharmed_(other.unharmed_), host_(other.unharmed_) {
+    setting_.damage = std::move(damage);
+    damage_host(progress);
+}
+
+void TrialBench::damage_host(const Progress& progress) {
+    if (!setting_.damage)
+        return;
+    const watermark::Examination damaged = examination(setting_.damage(mesh_, 0), progress);
+    hypotheses_ = damaged.family().size();
+    host_ = statistics_of(damaged, true_pose(damaged), setting_.level);
+}
+
+watermark::Examination TrialBench::examination(const TriangleMesh& suspect, const Progress& progress) const {
+    return {suspect, watermark::examination_options(setting_.parameters, setting_.vertices), progress};
+}
+
+std::vector<Vec3> TrialBench::base() const {
+    return setting_.profile == watermark::Profile::masked ? simplified_ : marker_->domain().mesh.positions;
 }
 
 std::size_t TrialBench::true_pose(const watermark::Examination& suspect) const {
@@ -123,16 +147,29 @@ std::size_t TrialBench::true_pose(const watermark::Examination& suspect) const {
     return likest;
 }
 
-Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) const {
-    const key::Secret secret = key::null_secret(seed, number);
-    const watermark::Marked marked = marker_.mark(secret, {setting_.level, setting_.parameters.rmax, strength,
-                                                           std::nullopt, watermark::Profile::paper});
+watermark::Marked TrialBench::mark(double size, std::uint64_t seed, std::size_t number) const {
+    watermark::MarkSetting mark;
+    mark.level = setting_.level;
+    mark.rmax = setting_.parameters.rmax;
+    mark.profile = setting_.profile;
+    mark.content = setting_.content;
+    if (setting_.sizing == Sizing::visibility)
+        mark.visibility = size;
+    else
+        mark.strength = size;
+    return marker_->mark(key::null_secret(seed, number), mark);
+}
+
+Trial TrialBench::run(double size, std::uint64_t seed, std::size_t number) const {
+    return examine(mark(size, seed, number), seed, number);
+}
+
+Trial TrialBench::examine(const watermark::Marked& marked, std::uint64_t seed, std::size_t number) const {
     TriangleMesh suspect_mesh{marked.positions, mesh_.triangles};
     if (setting_.damage)
         suspect_mesh = setting_.damage(suspect_mesh, number);
-    const watermark::Examination suspect(
-        suspect_mesh, watermark::examination_options(setting_.parameters, setting_.vertices));
-    watermark::Sequences sequences(secret, setting_.parameters.rmax);
+    const watermark::Examination suspect = examination(suspect_mesh);
+    watermark::Sequences sequences(key::null_secret(seed, number), setting_.parameters.rmax);
 
     Trial trial;
     trial.number = number;
@@ -145,15 +182,15 @@ Trial TrialBench::run(double strength, std::uint64_t seed, std::size_t number) c
     return trial;
 }
 
-std::vector<Trial> run_trials(const TrialBench& bench, double strength, std::uint64_t seed,
+std::vector<Trial> run_trials(const TrialBench& bench, double size, std::uint64_t seed,
                               const std::vector<std::size_t>& numbers, const TrialSink& sink,
                               const Progress& progress) {
     std::vector<Trial> trials(numbers.size());
     std::mutex guard;
     std::size_t done = 0;
     notify(progress, "trying marks", 0);
-    parallel_blocks(numbers.size(), 1, [&](std::size_t i, std::size_t) {
-        trials[i] = bench.run(strength, seed, numbers[i]);
+    parallel_tasks(numbers.size(), [&](std::size_t i) {
+        trials[i] = bench.run(size, seed, numbers[i]);
         const std::lock_guard lock(guard);
         if (sink)
             sink(trials[i]);
@@ -162,15 +199,20 @@ std::vector<Trial> run_trials(const TrialBench& bench, double strength, std::uin
     return trials;
 }
 
-MeasuredCurve measured_roc(RocKind kind, const std::vector<Trial>& trials, std::size_t vertices,
-                           double strength, std::span<const double> pf) {
+MeasuredCurve measured_roc(RocKind kind, const std::vector<Trial>& trials, const TrialBench& bench,
+                           double size, std::span<const double> pf) {
     MeasuredCurve curve;
     curve.kind = kind;
-    curve.vertices = vertices;
-    curve.strength = strength;
+    curve.vertices = bench.base().size();
     curve.trials = trials.size();
-    for (const Trial& trial : trials)
+    for (const Trial& trial : trials) {
         curve.gamma += trial.gamma / static_cast<double>(trials.size());
+        curve.strength += trial.distortion.normal_rms / static_cast<double>(trials.size());
+    }
+    if (bench.setting().sizing == Sizing::visibility)
+        curve.visibility = size;
+    else
+        curve.strength = size;
     for (double p : pf) {
         const auto count = std::ranges::count_if(trials, [&](const Trial& t) { return missed(kind, t, p); });
         curve.points.push_back(measured_point(p, static_cast<std::size_t>(count), trials.size()));

@@ -284,10 +284,9 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
         const masking::Fit fit = budget().fit([&](double trial) { return in_file(layout.positions(trial)); },
                                               *setting.visibility, first_strength);
         if (!(fit.strength > 0))
-            throw GeometryError(
-                fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
-                            "weak; allow more, or repair what lies double in it",
-                            *setting.visibility));
+            throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
+                                         "weak",
+                                         *setting.visibility));
         strength = fit.strength;
         marked.msdm2 = fit.msdm2;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/payload/recipients.hpp>
@@ -45,29 +46,79 @@ bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOp
     return verify(TriangleMesh{positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
 }
 
-/// The least of a few larger visibilities whose mark is found.
-std::optional<double> visibility_that_would_do(const TriangleMesh& mesh, const key::Key& key,
-                                               MarkOptions options) {
-    const double asked = options.visibility;
-    for (double factor : {1.5, 2.5, 4.0}) {
-        options.visibility = factor * asked;
-        if (options.visibility < 1 && found_in_memory(mesh, key, options, mark(mesh, key, options).positions))
-            return options.visibility;
+/// Whether verify would find the mark, and read what it says, in the file as it would be written.
+bool would_do(const io::Model& model, const key::Key& key, const MarkModelOptions& options) {
+    VerifyOptions check;
+    check.pf = options.mark.pf;
+    check.search = SearchUse::never; // a few sizes are tried, and each search may take minutes
+    try {
+        const Marked marked = mark(model.mesh(), key, options.mark);
+        const io::PatchedFiles files =
+            model.patched_files(marked.positions, options.output_name, options.normals);
+        const VerifyReport report = verify(model.read_back(files).mesh(), key, check);
+        return report.verdict == detect::Verdict::present && is_readable(report, key, options.mark);
+    } catch (const TooVisible&) {
+        return false;
+    }
+}
+
+/// The number that sizes the mark.
+double& size_of(MarkOptions& options) {
+    if (options.gamma)
+        return *options.gamma;
+    return options.strength ? *options.strength : options.visibility;
+}
+
+std::string size_option(MarkOptions options) {
+    return fmt::format("--{} {:.2g}",
+                       options.gamma      ? "gamma"
+                       : options.strength ? "strength"
+                                          : "visibility",
+                       size_of(options));
+}
+
+/// With two digits, as it is told: what is told has been tried.
+double in_two_digits(double size) {
+    return std::stod(fmt::format("{:.2g}", size));
+}
+
+/// A larger size that was tried and does, if there is one: doubled until it does, then a little less.
+std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key::Key& key,
+                                              MarkModelOptions options) {
+    constexpr int most_doublings = 5;
+    MarkOptions& mark = options.mark;
+    const double most = mark.strength || mark.gamma ? HUGE_VAL : 1;
+    double too_small = size_of(mark);
+    for (int k = 0; k < most_doublings && too_small < most; ++k) {
+        size_of(mark) = in_two_digits(std::min(2 * too_small, most));
+        if (!would_do(model, key, options)) {
+            too_small = size_of(mark);
+            continue;
+        }
+        const MarkOptions enough = mark;
+        size_of(mark) = in_two_digits(std::sqrt(too_small * size_of(mark)));
+        return size_of(mark) > too_small && would_do(model, key, options) ? mark : enough;
     }
     return std::nullopt;
 }
 
-/// What would mend a mark that is not found: tried, and not only supposed.
-std::string remedy(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
-                   double log10_p) {
+/// What would mend a loss: tried, and not only supposed.
+std::string remedy(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
+                   const MarkedModel& result) {
     constexpr double hopeful = -2; // a P_f above 1 % is no verdict
-    std::string would_do =
-        log10_p < hopeful ? fmt::format("--pf {:.1g}", 1.5 * std::pow(10.0, log10_p)) : std::string();
-    if (!options.strength && !options.gamma)
-        if (const auto visibility = visibility_that_would_do(mesh, key, options))
-            would_do =
-                fmt::format("--visibility {:.2g}{}{}", *visibility, would_do.empty() ? "" : " or ", would_do);
-    return would_do.empty() ? "subdivide the model first, or store more digits" : would_do + " would do";
+    std::vector<std::string> would_do;
+    if (const auto larger = size_that_would_do(model, key, options))
+        would_do.push_back(size_option(*larger));
+    const double log10_p = result.check.score.log10_p;
+    const bool lost = result.loss == Loss::power || result.loss == Loss::storage;
+    if (lost && log10_p < hopeful)
+        would_do.push_back(fmt::format("--pf {:.1g}", 1.5 * std::pow(10.0, log10_p)));
+    if (!would_do.empty())
+        return fmt::format("{} would do", fmt::join(would_do, " or "));
+    return fmt::format("no larger mark that was tried would do{}; {}", lost ? ", nor a P_f up to 0.01" : "",
+                       result.loss == Loss::storage   ? "store more digits"
+                       : result.loss == Loss::content ? "give a shorter payload, which needs less"
+                                                      : "subdivide the model first");
 }
 
 io::Format format_of(const std::filesystem::path& path, const std::optional<io::Format>& fallback) {
@@ -87,8 +138,14 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
                        const Progress& progress) {
     MarkedModel result;
     result.coordinate_step = model.coordinate_step();
-    result.marked = mark(model.mesh(), key, options.mark, progress);
     result.ambiguity = ambiguity_of(model.mesh());
+    try {
+        result.marked = mark(model.mesh(), key, options.mark, progress);
+    } catch (const TooVisible& reason) {
+        result.loss = Loss::visibility;
+        result.remedy = fmt::format("{}; {}", reason.what(), remedy(model, key, options, result));
+        return result;
+    }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
     const io::Model written = model.read_back(result.files);
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
@@ -105,8 +162,9 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     } else {
         result.loss =
             found_in_memory(mesh, key, options.mark, marked.positions) ? Loss::storage : Loss::power;
-        result.remedy = remedy(mesh, key, options.mark, result.check.score.log10_p);
     }
+    if (result.loss != Loss::none)
+        result.remedy = remedy(model, key, options, result);
     return result;
 }
 
@@ -114,8 +172,10 @@ std::string describe_loss(const MarkedModel& result, double pf) {
     if (result.loss == Loss::content)
         return fmt::format(
             "nothing was written, because what the mark says could not be read back (the mark itself is "
-            "found with log10 p {:.1f}); allow a stronger mark, or give a shorter payload, which needs less",
-            result.check.score.log10_p);
+            "found with log10 p {:.1f}); {}",
+            result.check.score.log10_p, result.remedy);
+    if (result.loss == Loss::visibility)
+        return "nothing was written, because " + result.remedy;
     return fmt::format(
         "nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is needed); "
         "{}",

@@ -20,14 +20,17 @@ struct MeshStatistics {
         1; ///< standard deviation of rho over random keys, over the one that eq. (6) assumes
 };
 
-/// What eq. (4) to (6) take from the bench's base domain with the bumps of `secret`, in the frame of the
-/// mark.
+/// What eq. (4) to (6) take from the bench's base with the bumps of `secret`, in the frame of the mark.
 MeshStatistics mesh_statistics(const TrialBench& bench, const key::Secret& secret);
 
-/// The three curves for marks of one strength; the deciding detector's from `pilots` marks (see Response),
-/// its gamma their mean. Without damage: the paper's curves know none.
-std::vector<RocCurve> predicted_rocs(const TrialBench& bench, const MeshStatistics& statistics,
-                                     double strength, std::span<const double> pf, std::size_t pilots,
+/// The detectors whose curves belong to marks of a profile: the paper's model knows no other marks than its
+/// own, and the deciding detector decides on all.
+std::vector<RocKind> detectors_for(watermark::Profile profile);
+
+/// The predicted curves for marks of one size; the deciding detector's from `pilots` marks (see Response),
+/// its gamma their mean. The paper's only for its own profile and without damage, of which they know nothing.
+std::vector<RocCurve> predicted_rocs(const TrialBench& bench, const MeshStatistics& statistics, double size,
+                                     std::span<const double> pf, std::size_t pilots,
                                      const Progress& progress = {});
 
 } // namespace wm3d::study

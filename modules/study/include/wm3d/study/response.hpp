@@ -17,23 +17,26 @@ namespace wm3d::study {
 struct Response {
     std::vector<detect::LinearStatistic> host; ///< per filter: c of the (damaged) mesh without a mark
     std::size_t hypotheses = 0;                ///< that share P_f
-    double strength = 0;                       ///< of the marks below, % of the box's diagonal
     std::vector<Eigen::VectorXd> mark;         ///< per mark: m of every filter
     std::vector<Eigen::VectorXd> variance;     ///< per mark: what it adds to the null variance of T
     embed::Distortion distortion;              ///< mean over the marks, % of the box's diagonal
-    double gamma = 0;                          ///< of eq. (3), mean over the marks
+    double gamma = 0;                          ///< of bumps that move as much, mean over the marks
 };
 
-/// Marks through the real pipeline, of random keys that no trial draws, from which the host's part is taken
-/// away: it is known for each key. So a few marks say what many would, and what simplification and damage
-/// leave of them.
-Response pilot_response(const TrialBench& bench, double strength, std::size_t marks,
+/// Marks of random keys that no trial draws, of one size.
+/// \throw watermark::TooVisible  if no mark keeps to the visibility
+std::vector<watermark::Marked> pilot_marks(const TrialBench& bench, double size, std::size_t count,
+                                           const Progress& progress = {});
+
+/// These marks through the real pipeline, with the host's part taken away: it is known for each key. So a few
+/// marks say what many would, and what simplification and damage leave of them.
+Response pilot_response(const TrialBench& bench, const std::vector<watermark::Marked>& pilots,
                         const Progress& progress = {});
 
-/// log10 of the probability that verify at P_f misses a mark of `strength`: none of the filters reaches its
-/// threshold. The scores are taken to be jointly normal, with the covariance of c, that of m between keys,
-/// and the mean of m; thresholds are those of the exact null distribution. The hypotheses of other poses and
-/// levels may only find by chance.
-double log10_miss(const Response& response, double strength, double pf);
+/// log10 of the probability that verify at P_f misses marks whose moves are `factor` times those of the
+/// response: none of the filters reaches its threshold. The scores are taken to be jointly normal, with the
+/// covariance of c, that of m between keys, and the mean of m; thresholds are those of the exact null
+/// distribution. The hypotheses of other poses and levels may only find by chance.
+double log10_miss(const Response& response, double factor, double pf);
 
 } // namespace wm3d::study

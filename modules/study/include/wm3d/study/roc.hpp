@@ -28,9 +28,12 @@ struct RocPoint {
 
 struct RocCurve {
     RocKind kind = RocKind::paper;
-    double gamma = 0;                 ///< of eq. (3)
-    std::size_t vertices = 0;         ///< of the base domain
-    std::optional<double> strength{}; ///< % of the box's diagonal, of a curve that belongs to a mesh
+    double gamma = 0;         ///< of eq. (3), or of bumps that move as much
+    std::size_t vertices = 0; ///< of the base domain, or of the simplified mesh
+    /// Of a curve that belongs to a mesh: mean RMS move of the marks, % of the box's diagonal, or what was
+    /// asked for.
+    std::optional<double> strength{};
+    std::optional<double> visibility{}; ///< that was asked for
     std::vector<RocPoint> points;
 };
 
@@ -45,7 +48,8 @@ struct MeasuredCurve {
     RocKind kind = RocKind::whitened;
     double gamma = 0; ///< mean over the trials
     std::size_t vertices = 0;
-    double strength = 0;
+    double strength = 0;                ///< as RocCurve's
+    std::optional<double> visibility{}; ///< as RocCurve's
     std::size_t trials = 0;
     std::vector<MeasuredPoint> points;
 };

@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include <wm3d/core/error.hpp>
 #include <wm3d/embed/embed.hpp>
 #include <wm3d/maps/base_domain.hpp>
 #include <wm3d/masking/budget.hpp>
@@ -16,6 +17,12 @@
 #include <wm3d/watermark/examination.hpp>
 
 namespace wm3d::watermark {
+
+/// No mark keeps to the visibility that was asked for, however weak.
+class TooVisible : public GeometryError {
+public:
+    using GeometryError::GeometryError;
+};
 
 struct MarkOptions {
     Profile profile = Profile::masked;
@@ -75,6 +82,7 @@ public:
 
     /// May be called from several threads.
     /// \throw GeometryError  if no radial move shows on the mesh
+    /// \throw TooVisible     if no mark keeps to the visibility
     Marked mark(const key::Secret& secret, const MarkSetting& setting) const;
 
     /// The mark of a sequence of the level's length, whatever it was made of; heights above rmax are as good
@@ -121,6 +129,7 @@ private:
 /// reconstruction. MSDM2 is measured in any case.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
+/// \throw TooVisible      if no mark keeps to the visibility
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options = {},
             const Progress& progress = {});
 
