@@ -364,11 +364,13 @@ using wm3d::sphere::SphereLocation;
 } // namespace wm3d::sphere
 
 export namespace wm3d::study {
+using wm3d::study::best_sizing;
 using wm3d::study::calibrate;
 using wm3d::study::Calibration;
 using wm3d::study::Damage;
+using wm3d::study::detectors_for;
 using wm3d::study::JsonLines;
-using wm3d::study::largest_strength;
+using wm3d::study::largest_size;
 using wm3d::study::log10_miss;
 using wm3d::study::measured_point;
 using wm3d::study::measured_roc;
@@ -383,6 +385,7 @@ using wm3d::study::Outcome;
 using wm3d::study::paper_roc;
 using wm3d::study::PaperModel;
 using wm3d::study::parse_damages;
+using wm3d::study::pilot_marks;
 using wm3d::study::pilot_response;
 using wm3d::study::predicted_rocs;
 using wm3d::study::recommend;
@@ -394,6 +397,7 @@ using wm3d::study::RocCurve;
 using wm3d::study::RocKind;
 using wm3d::study::RocPoint;
 using wm3d::study::run_trials;
+using wm3d::study::Sizing;
 using wm3d::study::TailCounts;
 using wm3d::study::Trial;
 using wm3d::study::TrialBench;
@@ -461,6 +465,7 @@ using wm3d::watermark::Sequences;
 using wm3d::watermark::simplify_suspect;
 using wm3d::watermark::Suspect;
 using wm3d::watermark::tolerated_opening;
+using wm3d::watermark::TooVisible;
 using wm3d::watermark::uniformity;
 using wm3d::watermark::usual_strength;
 using wm3d::watermark::verify;

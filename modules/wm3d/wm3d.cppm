@@ -433,6 +433,7 @@ using wm3d::watermark::Sequences;
 using wm3d::watermark::simplify_suspect;
 using wm3d::watermark::Suspect;
 using wm3d::watermark::tolerated_opening;
+using wm3d::watermark::TooVisible;
 using wm3d::watermark::uniformity;
 using wm3d::watermark::usual_strength;
 using wm3d::watermark::verify;
