@@ -15,6 +15,24 @@ constexpr double usual_slope = 0.7, least_slope = 0.2, most_slope = 1.5;
 /// Below it MSDM2 is the rounding of its own arithmetic.
 constexpr double nothing = 1e-9;
 
+/// Positions of a mark, but where vertices are to stay; `still` may be empty.
+std::vector<Vec3> held(std::vector<Vec3> positions, const std::vector<Vec3>& original,
+                       const std::vector<char>& still) {
+    for (std::size_t i = 0; i < still.size(); ++i)
+        if (still[i])
+            positions[i] = original[i];
+    return positions;
+}
+
+/// Marks the vertices that are seen more than `limit`, and their neighbours, whose moves are seen there too.
+void hold_around(std::vector<char>& still, const TriangleMesh& mesh, const std::vector<double>& seen,
+                 double limit) {
+    for (const Triangle& t : mesh.triangles)
+        if (std::ranges::any_of(t, [&](Index v) { return seen[v] > limit; }))
+            for (Index v : t)
+                still[v] = 1;
+}
+
 } // namespace
 
 Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options)
@@ -86,19 +104,56 @@ void Budget::approach(Fit& fit, const MarkOfStrength& mark, double budget, std::
     fit = best;
 }
 
-void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
-    constexpr int most_trials = 3;
+/// A strength at which the mark is seen about as much as the budget allows; 0 if it is not seen at all.
+double Budget::near_budget(const MarkOfStrength& mark, double budget, double guess) const {
+    constexpr int most_looks = 2;
     constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
     double strength = guess;
-    for (int k = 1; k < most_trials; ++k) {
-        const double msdm2 = look(trial(strength), options_.rough_windows).mean;
+    for (int k = 0; k < most_looks; ++k) {
+        const double msdm2 = look(mark(strength), options_.rough_windows).mean;
         if (!(msdm2 > nothing))
-            return;
+            return 0;
         if (std::abs(msdm2 / budget - 1) <= near)
             break;
         strength *= std::pow(budget / msdm2, 1 / usual_slope);
     }
-    const metrics::Msdm2Sample seen = look(trial(strength), options_.windows);
+    return strength;
+}
+
+/// Vertices that have to stay if a mark too weak to be seen is not to be seen: empty, or #V. Empty too where
+/// none could move, which would gain nothing.
+std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double budget,
+                                          double slightest) const {
+    constexpr int most_rounds = 8;
+    constexpr double tolerable = 0.2; // of the budget, for jumps
+    std::vector<char> still(mesh_.positions.size(), 0);
+    const std::vector<Vec3> positions = trial(slightest);
+    for (int k = 0; k < most_rounds; ++k) {
+        const TriangleMesh marked{held(positions, mesh_.positions, still), mesh_.triangles};
+        const std::vector<double> seen = msdm2_.field(marked);
+        if (metrics::msdm2_mean(marked, seen) <= tolerable * budget)
+            break;
+        hold_around(still, mesh_, seen, budget / 2);
+    }
+    const auto count = static_cast<std::size_t>(std::ranges::count(still, 1));
+    return count == 0 || count == still.size() ? std::vector<char>() : still;
+}
+
+void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
+    constexpr double glaring = 0.6, slightest = 1e-3; // seen somewhere; of the guess
+    std::vector<char> still;
+    const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
+    double strength = near_budget(mark, budget, guess);
+    if (!(strength > 0))
+        return;
+    metrics::Msdm2Sample seen = look(mark(strength), options_.windows);
+    if (mesh_.positions.size() <= options_.most_windows && std::ranges::max(seen.local) > glaring)
+        still = places_of_jumps(trial, budget, slightest * guess);
+    if (!still.empty()) {
+        carriers.silence(still);
+        strength = near_budget(mark, budget, guess);
+        seen = look(mark(strength), options_.windows);
+    }
     if (seen.mean > nothing)
         carriers.equalize(seen.vertices, seen.local, seen.mean);
 }

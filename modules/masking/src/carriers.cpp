@@ -113,6 +113,13 @@ void Carriers::equalize(std::span<const Index> vertices, std::span<const double>
     limit();
 }
 
+void Carriers::silence(std::span<const char> still) {
+    for (std::size_t i = 0; i < mask_.size(); ++i)
+        if (still[i])
+            mask_[i] = 0;
+    limit();
+}
+
 double Carriers::rms(std::span<const double> moves) const {
     return area_rms(moves, area_);
 }

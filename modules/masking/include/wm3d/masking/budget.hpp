@@ -52,8 +52,9 @@ public:
     /// \param guess  strength to begin with, > 0
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
-    /// Weighs the carriers' mask by what a trial mark shows: `Carriers::equalize`. The trial's sequence is
-    /// not to be the key's, so that the mask tells nothing of it and the same mask serves any.
+    /// Weighs the carriers' mask by what a trial mark shows: `Carriers::equalize`. Where MSDM2 jumps at the
+    /// slightest move, as beside doubled surfaces, nothing may move: `Carriers::silence`. The trial's sequence
+    /// is not to be the key's, so that the mask tells nothing of it and the same mask serves any.
     /// \param trial  its positions of a strength
     /// \param guess  strength to begin with, > 0
     void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
@@ -63,6 +64,8 @@ private:
     std::size_t final_windows() const;
     void approach(Fit& fit, const MarkOfStrength& mark, double budget, std::size_t windows,
                   double tolerance) const;
+    double near_budget(const MarkOfStrength& mark, double budget, double guess) const;
+    std::vector<char> places_of_jumps(const MarkOfStrength& trial, double budget, double slightest) const;
 
     const TriangleMesh& mesh_;
     BudgetOptions options_;

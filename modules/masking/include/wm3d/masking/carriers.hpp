@@ -48,6 +48,10 @@ public:
     /// \param seen      local visibility of the trial mark there, #vertices, >= 0
     void equalize(std::span<const Index> vertices, std::span<const double> seen, double target);
 
+    /// No mark moves these vertices any more.
+    /// \param still  #V, not 0 where a vertex is to stay
+    void silence(std::span<const char> still);
+
     std::span<const double> mask() const { return mask_; }
     const std::vector<Vec3>& normals() const { return normals_; } ///< #V, unit; zero where isolated
 
