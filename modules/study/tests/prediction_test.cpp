@@ -15,7 +15,7 @@ using namespace wm3d::study;
 
 namespace {
 
-constexpr std::uint64_t seed = 1;
+constexpr std::uint64_t seed = 1, another_seed = 4;
 
 std::vector<std::size_t> first_numbers(std::size_t count) {
     std::vector<std::size_t> numbers(count);
@@ -42,7 +42,7 @@ TEST_CASE("what is predicted of the marks that mark makes by default is what tri
     REQUIRE(predicted.size() == 1); // the paper's model knows no such marks
     CHECK(predicted.front().visibility == visibility);
 
-    const std::vector<Trial> trials = run_trials(bench, visibility, seed, first_numbers(50));
+    const std::vector<Trial> trials = run_trials(bench, visibility, another_seed, first_numbers(50));
     const MeasuredCurve measured = measured_roc(RocKind::whitened, trials, bench, visibility, pf);
     for (std::size_t i = 0; i < pf.size(); ++i) {
         CAPTURE(pf[i]);
