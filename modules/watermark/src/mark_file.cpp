@@ -48,9 +48,7 @@ bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOp
 
 /// Whether verify would find the mark, and read what it says, in the file as it would be written.
 bool would_do(const io::Model& model, const key::Key& key, const MarkModelOptions& options) {
-    VerifyOptions check;
-    check.pf = options.mark.pf;
-    check.search = SearchUse::never; // a few sizes are tried, and each search may take minutes
+    const VerifyOptions check = self_check_options(options.mark, ambiguity_of(model.mesh()));
     try {
         const Marked marked = mark(model.mesh(), key, options.mark);
         const io::PatchedFiles files =
