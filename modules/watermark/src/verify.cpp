@@ -12,6 +12,7 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/search/pose_search.hpp>
+#include <wm3d/watermark/content_statistic.hpp>
 #include <wm3d/watermark/null_keys.hpp>
 
 namespace wm3d::watermark {
@@ -175,7 +176,7 @@ void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequ
     const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
     report.base_vertices = all.suspect.base_vertices();
     report.level = best.level;
-    report.statistic = best.statistic;
+    report.statistic = content_statistic(all.family, report.score.best.hypothesis, sequences(best.level));
     report.pose = best.pose;
     report.pose_origin = all.suspect.pose(best.pose).origin;
     report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
@@ -212,8 +213,7 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
     }
 }
 
-/// The payload in the hypothesis that serves the mark best: that was chosen without a look at the payload's
-/// streams.
+/// The payload where the common part shows best: that was chosen without a look at the payload's streams.
 std::optional<payload::Reading> read_payload(const VerifyReport& report, const key::Key& key,
                                              const VerifyOptions& options) {
     if (options.detector == Detector::paper)

@@ -69,8 +69,9 @@ struct VerifyReport {
     double largest_opening =
         0; ///< area that would close the suspect's widest border, relative to its surface
     detect::FamilyScore score;
-    unsigned level = 0;                       ///< of the best hypothesis
-    detect::LinearStatistic statistic{{}, 1}; ///< its c: what the suspect says about each number of the level
+    unsigned level = 0; ///< of the best hypothesis
+    /// What the suspect says about each number of the level, as content_statistic: for payloads and recipients.
+    detect::LinearStatistic statistic{{}, 1};
     std::size_t pose = 0;
     std::string pose_origin;
     std::optional<detect::Filter> filter; ///< none with the paper's detector and where the reference decided
