@@ -99,6 +99,60 @@ std::string list_misses(const BenchTable& table, const std::vector<std::vector<B
     return text.empty() ? "None.\n" : text;
 }
 
+/// Whether payloads do at least as well as published ones did: no more errors before decoding, none behind it where
+/// theirs were few.
+bool matches_published(const PayloadCell& cell, const PublishedRates& rates) {
+    constexpr double few = 0.1;
+    const double best = best_published(rates);
+    return cell.mean_rate() <= best && (best >= few || cell.read == cell.keys);
+}
+
+std::string payload_text(const PayloadCell& cell, const std::optional<PublishedRates>& rates) {
+    if (cell.keys == 0)
+        return "";
+    const char* bold = cell.wrong > 0 || (rates && !matches_published(cell, *rates)) ? "**" : "";
+    return fmt::format("{}{:.3f} / {:.3f}, {} of {}{}", bold, cell.mean_rate(), cell.worst_rate(), cell.read,
+                       cell.keys, bold);
+}
+
+std::string payload_table(const BenchTable& table) {
+    report::Table text{{"attack"}, {}};
+    for (const std::string& model : model_headings(table.models))
+        text.columns.push_back(model);
+    text.columns.insert(text.columns.end(), {"Cho 2007", "Wang 2011"});
+    for (std::size_t a = 0; a < table.attacks.size(); ++a) {
+        std::vector<std::string> row{table.attacks[a]};
+        const auto rates = published_rates(table.attacks[a], protocol_of(table));
+        for (const PayloadCell& cell : table.payloads[a])
+            row.push_back(payload_text(cell, rates));
+        if (std::ranges::all_of(row.begin() + 1, row.end(), &std::string::empty))
+            continue;
+        row.push_back(rates ? fmt::format("{:.2f}", rates->cho) : "");
+        row.push_back(rates ? fmt::format("{:.2f}", rates->wang) : "");
+        text.rows.push_back(std::move(row));
+    }
+    return report::to_markdown(text);
+}
+
+std::string payload_section(const BenchTable& table) {
+    if (table.payloads.empty())
+        return "";
+    const PayloadCount count = count_payloads(table);
+    return fmt::format(
+        "### Payloads\n\nA random payload of {} bits in every mark. In each cell the bit error rate without "
+        "a code, "
+        "mean and worst of the keys, and how many payloads were decoded without error. Published rates are "
+        "those of 64 "
+        "uncoded bits, the mean of several keys. Bold is what has more errors than the better published "
+        "rate, is not "
+        "decoded with every key though that rate is below 0.1, or gave another payload.\n\n{}\n"
+        "{} of {} payloads were decoded, {} gave another. {} of {} cells with a published rate do as well as "
+        "that or "
+        "better.\n\n",
+        count.bits, payload_table(table), count.read, count.keys, count.wrong, count.as_published,
+        count.published);
+}
+
 std::string table_section(const BenchTable& table) {
     std::string text = fmt::format("## Marks of {}\n\n{}\n", size_text(table.size), marks_table(table));
     text += fmt::format("log10 p of the worst key; what stays above {:.4g} is bold and listed below.\n\n{}\n",
@@ -139,6 +193,13 @@ std::string wrong_section(const WrongKeys& wrong) {
                        wrong.keys, report::to_markdown(text), wrong.smallest_log10_p, wrong.uniformity);
 }
 
+std::vector<std::string> payload_fields(const std::optional<PayloadResult>& payload) {
+    if (!payload)
+        return {"", "", "", ""};
+    return {fmt::format("{}", payload->bits), fmt::format("{}", payload->raw_errors),
+            payload->read ? "1" : "0", fmt::format("{:.6g}", payload->log10_p)};
+}
+
 std::string introduction(const BenchSummary& summary) {
     std::string text = fmt::format(
         "# Robustness\n\nEach model is marked with {} random key{}; every marked copy is attacked, then "
@@ -157,6 +218,24 @@ std::string introduction(const BenchSummary& summary) {
 }
 
 } // namespace
+
+PayloadCount count_payloads(const BenchTable& table) {
+    PayloadCount count;
+    for (std::size_t a = 0; a < table.payloads.size(); ++a) {
+        const auto rates = published_rates(table.attacks[a], protocol_of(table));
+        for (const PayloadCell& cell : table.payloads[a]) {
+            if (cell.keys == 0)
+                continue;
+            count.bits = cell.bits;
+            count.keys += cell.keys;
+            count.read += cell.read;
+            count.wrong += cell.wrong;
+            count.published += rates.has_value();
+            count.as_published += rates && matches_published(cell, *rates);
+        }
+    }
+    return count;
+}
 
 BenchSummary summarize(const BenchResults& results, const BenchSetting& setting,
                        const std::vector<double>& log10_targets) {
@@ -187,30 +266,52 @@ std::string bench_markdown(const BenchSummary& summary) {
         text += '\n';
     }
     for (const BenchTable& table : summary.tables)
-        text += table_section(table) + assisted_section(table);
+        text += table_section(table) + payload_section(table) + assisted_section(table);
     return text + wrong_section(summary.wrong);
 }
 
 std::string bench_csv(const BenchResults& results) {
-    report::Table table{{"model", "size", "size_percent", "key", "attack", "strength_percent", "mrms_percent",
-                         "msdm2", "log10_p", "sigmas", "hypotheses", "level", "pose", "filter_t",
-                         "filter_power", "vertices", "assisted_log10_p", "error"},
+    report::Table table{{"model",
+                         "size",
+                         "size_percent",
+                         "key",
+                         "attack",
+                         "strength_percent",
+                         "mrms_percent",
+                         "msdm2",
+                         "log10_p",
+                         "sigmas",
+                         "hypotheses",
+                         "level",
+                         "pose",
+                         "filter_t",
+                         "filter_power",
+                         "vertices",
+                         "assisted_log10_p",
+                         "payload_bits",
+                         "payload_raw_errors",
+                         "payload_read",
+                         "payload_log10_p",
+                         "error"},
                         {}};
     for (const auto& [name, item] : results.items) {
         const BenchMark& mark = results.marks.at(name.mark);
         const MarkSize& size = name.mark.size;
-        table.rows.push_back({name.mark.model, size.unit == MarkSize::Unit::mrms ? "mrms" : "strength",
+        table.rows.push_back({name.mark.model, std::string(study::name(size.unit)),
                               fmt::format("{}", size.value), fmt::format("{}", name.mark.key), name.attack,
                               fmt::format("{:.6g}", mark.strength), fmt::format("{:.6g}", mark.mrms),
                               fmt::format("{:.6g}", mark.msdm2)});
         std::vector<std::string>& row = table.rows.back();
-        if (item.error.empty())
+        if (item.error.empty()) {
             row.insert(row.end(), {fmt::format("{:.6g}", item.log10_p), fmt::format("{:.6g}", item.sigmas),
                                    fmt::format("{}", item.hypotheses), fmt::format("{}", item.level),
                                    fmt::format("{}", item.pose), fmt::format("{:g}", item.filter_t),
                                    fmt::format("{:g}", item.filter_power), fmt::format("{}", item.vertices),
-                                   item.assisted ? fmt::format("{:.6g}", item.assisted->log10_p) : "", ""});
-        else {
+                                   item.assisted ? fmt::format("{:.6g}", item.assisted->log10_p) : ""});
+            const std::vector<std::string> payload = payload_fields(item.payload);
+            row.insert(row.end(), payload.begin(), payload.end());
+            row.emplace_back();
+        } else {
             row.resize(table.columns.size() - 1);
             row.push_back(item.error);
         }

@@ -20,6 +20,19 @@ struct BenchSummary {
     std::string heat_map; ///< file of the picture, beside the summary; empty: none
 };
 
+/// The payloads of a table, counted.
+struct PayloadCount {
+    std::size_t bits = 0;      ///< of one
+    std::size_t keys = 0;      ///< payloads that were looked for in attacked copies
+    std::size_t read = 0;      ///< of them, decoded without error
+    std::size_t wrong = 0;     ///< of them, decoded to another payload
+    std::size_t published = 0; ///< cells (attacks by models) with a published rate
+    std::size_t as_published =
+        0; ///< of these, no worse before decoding and none wrong behind it where theirs is few
+};
+
+PayloadCount count_payloads(const study::BenchTable& table);
+
 BenchSummary summarize(const study::BenchResults& results, const study::BenchSetting& setting,
                        const std::vector<double>& log10_targets);
 

@@ -127,6 +127,7 @@ ordered_json settings_of(const study::BenchSetting& setting) {
             {"effort", setting.search_effort},
             {"vertices", setting.vertices},
             {"profile", name_of(setting.profile)},
+            {"payload", setting.payload > 0 ? ordered_json(setting.payload) : ordered_json()},
             {"levels", setting.parameters.levels},
             {"rmax", setting.parameters.rmax}};
 }
@@ -277,6 +278,8 @@ std::string command_line(const BenchArguments& arguments) {
         text += " --profile " + name_of(*arguments.profile);
     if (arguments.setting.search_effort != study::BenchSetting{}.search_effort)
         text += fmt::format(" --effort {}", arguments.setting.search_effort);
+    if (arguments.setting.payload > 0)
+        text += fmt::format(" --payload {}", arguments.setting.payload);
     if (arguments.setting.assisted)
         text += " --reference";
     return text +
@@ -299,10 +302,15 @@ bool draw_heat_map(const BenchArguments& arguments, const BenchSummary& summary,
 }
 
 ordered_json to_json(const study::BenchTable& table) {
-    return {{"size", study::to_string(table.size)},
-            {"log10_target", table.log10_target},
-            {"cells", table.filled()},
-            {"missed", table.missed()}};
+    ordered_json json{{"size", study::to_string(table.size)},
+                      {"log10_target", table.log10_target},
+                      {"cells", table.filled()},
+                      {"missed", table.missed()}};
+    if (const PayloadCount count = count_payloads(table); count.keys > 0)
+        json["payloads"] = {{"bits", count.bits},           {"keys", count.keys},
+                            {"read", count.read},           {"wrong", count.wrong},
+                            {"published", count.published}, {"as_published", count.as_published}};
+    return json;
 }
 
 ordered_json to_json(const study::WrongKeys& wrong) {
@@ -327,6 +335,12 @@ void deliver(const BenchArguments& arguments, BenchSummary summary, const study:
         output.print(fmt::format("{}: {} of {} cells reach log10 p = {:.4g} with every key\n",
                                  size_text(table.size), table.filled() - table.missed(), table.filled(),
                                  table.log10_target));
+        if (const PayloadCount count = count_payloads(table); count.keys > 0)
+            output.print(fmt::format("{}: {} of {} payloads of {} bits are decoded without error, {} give "
+                                     "another; {} of {} cells do as well as "
+                                     "published marks\n",
+                                     size_text(table.size), count.read, count.keys, count.bits, count.wrong,
+                                     count.as_published, count.published));
         tables.push_back(to_json(table));
     }
     output.say(fmt::format("Wrote the summary to {}.", (fs::path(arguments.out) / "summary.md").string()));
@@ -413,6 +427,11 @@ void add_options(CLI::App& app, BenchArguments& arguments) {
            "Of the search in all poses where a quick look finds nothing, as of `verify`; 0: none [0.2]")
         ->option_text("E")
         ->check(number_between(0, 1000));
+    app.add_option(
+           "--payload", arguments.setting.payload,
+           "Random payload of 32, 64 or 128 bits in every mark, its errors before and behind decoding [none]")
+        ->option_text("BITS")
+        ->check(CLI::IsMember({32, 64, 128}));
     app.add_flag("--reference", arguments.setting.assisted,
                  "Also examine with the unmarked original at hand");
     app.add_option("--seed", arguments.setting.seed, "Which random keys and attacks [1]")->option_text("S");

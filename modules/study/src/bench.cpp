@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
+
+#include <fmt/format.h>
 
 #include <wm3d/attack/apply.hpp>
 #include <wm3d/attack/random.hpp>
@@ -12,8 +15,11 @@
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/metrics/compare.hpp>
+#include <wm3d/payload/reading.hpp>
+#include <wm3d/payload/uncoded.hpp>
 #include <wm3d/study/bench_log.hpp>
 #include <wm3d/watermark/alignment.hpp>
+#include <wm3d/watermark/content_statistic.hpp>
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/search_suspect.hpp>
 
@@ -45,6 +51,7 @@ public:
         mark.level = level_;
         mark.rmax = setting_.parameters.rmax;
         mark.profile = setting_.profile;
+        mark.content.message = message(name);
         const watermark::Marked marked = marker_.mark(key::null_secret(setting_.seed, name.key), mark);
         figures.strength = marked.strength;
         figures.gamma = marked.gamma;
@@ -56,6 +63,17 @@ public:
         watermark::MarkSetting mark;
         mark.strength = strength;
         return marked(name, mark, figures);
+    }
+
+    /// The payload of a mark, drawn anew for every model and key.
+    std::optional<payload::Message> message(const MarkName& name) const {
+        if (setting_.payload == 0)
+            return {};
+        attack::RandomStream random(seed_of(setting_.seed, name.model + "/payload"), name.key);
+        std::string digits = "0x";
+        for (std::size_t k = 0; k < setting_.payload / 4; ++k)
+            digits += fmt::format("{:x}", random.word(k) >> 60);
+        return payload::parse_message(digits);
     }
 
     /// As strong as its visibility allows.
@@ -82,9 +100,13 @@ public:
 
 private:
     TriangleMesh limited_mark(const MarkName& name, BenchMark& figures) const;
+    PayloadResult payload_result(const MarkName& name, unsigned level,
+                                 const detect::LinearStatistic& statistic) const;
+    void tell(BenchItem& item, const MarkName& name, const watermark::Examination& examination,
+              const detect::FamilyScore& score, watermark::Sequences& sequences) const;
     void score_wrong_keys(BenchItem& item, const ItemName& name, const watermark::Examination& suspect) const;
-    void search(BenchItem& item, const watermark::Suspect& suspect, const watermark::Examination& seen,
-                watermark::Sequences& sequences) const;
+    void search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
+                const watermark::Examination& seen, watermark::Sequences& sequences) const;
     AssistedResult assisted(const watermark::Suspect& suspect, const key::Secret& secret) const;
 
     const TriangleMesh& mesh_;
@@ -135,6 +157,22 @@ void ModelBench::score_wrong_keys(BenchItem& item, const ItemName& name,
     }
 }
 
+/// As `verify` reads it: where the common part shows best, and believed at its usual P_f.
+PayloadResult ModelBench::payload_result(const MarkName& name, unsigned level,
+                                         const detect::LinearStatistic& statistic) const {
+    const key::Secret secret = key::null_secret(setting_.seed, name.key);
+    const payload::Message sent = *message(name);
+    const payload::UncodedErrors raw = payload::uncoded_errors(secret, level, sent, statistic.coefficients());
+    PayloadResult result{raw.bits, raw.errors, false, false, 0};
+    if (const auto reading = payload::read_payload(secret, level, statistic)) {
+        const bool believed = reading->log10_p <= std::log10(watermark::default_pf);
+        result.read = believed && reading->message == sent;
+        result.wrong = believed && reading->message != sent;
+        result.log10_p = reading->log10_p;
+    }
+    return result;
+}
+
 AssistedResult ModelBench::assisted(const watermark::Suspect& suspect, const key::Secret& secret) const {
     watermark::ExaminationOptions options =
         watermark::examination_options(setting_.parameters, setting_.vertices);
@@ -149,7 +187,8 @@ AssistedResult ModelBench::assisted(const watermark::Suspect& suspect, const key
             reference.difference.covered};
 }
 
-void tell(BenchItem& item, const watermark::Examination& examination, const detect::FamilyScore& score) {
+void ModelBench::tell(BenchItem& item, const MarkName& name, const watermark::Examination& examination,
+                      const detect::FamilyScore& score, watermark::Sequences& sequences) const {
     const detect::Hypothesis& best = examination.family()[score.best.hypothesis];
     const detect::Filter& filter = examination.evidence(best.pose).filter(best.filter);
     item.log10_p = score.log10_p;
@@ -159,10 +198,14 @@ void tell(BenchItem& item, const watermark::Examination& examination, const dete
     item.pose = best.pose;
     item.filter_t = filter.t;
     item.filter_power = filter.power;
+    if (setting_.payload > 0)
+        item.payload = payload_result(
+            name, best.level,
+            watermark::content_statistic(examination.family(), score.best.hypothesis, sequences(best.level)));
 }
 
 /// As verify goes on where the quick look found nothing.
-void ModelBench::search(BenchItem& item, const watermark::Suspect& suspect,
+void ModelBench::search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
                         const watermark::Examination& seen, watermark::Sequences& sequences) const {
     watermark::SearchEffort effort;
     effort.effort = setting_.search_effort;
@@ -170,7 +213,7 @@ void ModelBench::search(BenchItem& item, const watermark::Suspect& suspect,
         suspect, seen, sequences, effort, watermark::usual_strength, log10_searched_pf);
     item.searched = SearchedResult{found.hit.has_value(), found.report.centres};
     if (found.hit)
-        tell(item, *found.hit->examination, found.hit->score);
+        tell(item, name, *found.hit->examination, found.hit->score, sequences);
 }
 
 BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) const {
@@ -190,9 +233,9 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
     if (setting_.search_effort > 0)
         score.log10_p = std::min(0.0, score.log10_p - std::log10(1 - watermark::search_share));
-    tell(item, examination, score);
+    tell(item, name.mark, examination, score, sequences);
     if (setting_.search_effort > 0 && score.log10_p > log10_searched_pf)
-        search(item, suspect, examination, sequences);
+        search(item, name.mark, suspect, examination, sequences);
     item.vertices = mesh.positions.size();
     score_wrong_keys(item, name, examination);
     if (setting_.assisted)

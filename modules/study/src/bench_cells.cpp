@@ -45,10 +45,25 @@ void add(BenchCell& cell, std::size_t key, double log10_p, double log10_target) 
     cell.missed += !(log10_p <= log10_target);
 }
 
+void add(PayloadCell& cell, const PayloadResult& payload) {
+    ++cell.keys;
+    cell.bits = payload.bits;
+    cell.raw_errors += payload.raw_errors;
+    cell.worst_errors = std::max(cell.worst_errors, payload.raw_errors);
+    cell.read += payload.read;
+    cell.wrong += payload.wrong;
+    cell.worst_log10_p = std::max(cell.worst_log10_p, payload.log10_p);
+}
+
+double rate(std::size_t errors, std::size_t bits) {
+    return bits == 0 ? 0 : static_cast<double>(errors) / static_cast<double>(bits);
+}
+
 void fill_cells(BenchTable& table, const BenchResults& results) {
     table.cells.assign(table.attacks.size(), std::vector<BenchCell>(table.models.size()));
     table.assisted = table.cells;
-    bool any_assisted = false;
+    table.payloads.assign(table.attacks.size(), std::vector<PayloadCell>(table.models.size()));
+    bool any_assisted = false, any_payload = false;
     for (const auto& [name, item] : results.items) {
         const std::size_t a = index_of(table.attacks, name.attack),
                           m = index_of(table.models, name.mark.model);
@@ -63,9 +78,15 @@ void fill_cells(BenchTable& table, const BenchResults& results) {
             any_assisted = true;
             add(assisted, name.mark.key, item.assisted->log10_p, table.log10_target);
         }
+        if (item.payload) {
+            any_payload = true;
+            add(table.payloads[a][m], *item.payload);
+        }
     }
     if (!any_assisted)
         table.assisted.clear();
+    if (!any_payload)
+        table.payloads.clear();
 }
 
 BenchMarkRow mark_row(const BenchResults& results, const std::string& model, const MarkSize& size) {
@@ -128,6 +149,14 @@ std::size_t count_cells(const std::vector<std::vector<BenchCell>>& cells, const 
 }
 
 } // namespace
+
+double PayloadCell::mean_rate() const {
+    return rate(raw_errors, keys * bits);
+}
+
+double PayloadCell::worst_rate() const {
+    return rate(worst_errors, bits);
+}
 
 std::size_t BenchTable::filled() const {
     return count_cells(cells, [](const BenchCell& c) { return c.keys > 0; });

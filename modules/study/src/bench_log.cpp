@@ -122,6 +122,12 @@ ordered_json to_json(const ItemName& name, const BenchItem& item) {
         json["assisted"] = {{"log10_p", item.assisted->log10_p},
                             {"aligned", item.assisted->aligned},
                             {"coverage", item.assisted->coverage}};
+    if (item.payload)
+        json["payload"] = {{"bits", item.payload->bits},
+                           {"raw_errors", item.payload->raw_errors},
+                           {"read", item.payload->read},
+                           {"wrong", item.payload->wrong},
+                           {"log10_p", item.payload->log10_p}};
     json["seconds"] = std::round(item.seconds * 1000) / 1000;
     return json;
 }
@@ -154,6 +160,10 @@ BenchItem item_of(const ordered_json& json) {
     if (const auto found = json.find("assisted"); found != json.end())
         item.assisted = AssistedResult{number(found->at("log10_p")), found->at("aligned").get<bool>(),
                                        found->at("coverage").get<double>()};
+    if (const auto found = json.find("payload"); found != json.end())
+        item.payload = PayloadResult{
+            found->at("bits").get<std::size_t>(), found->at("raw_errors").get<std::size_t>(),
+            found->at("read").get<bool>(), found->at("wrong").get<bool>(), number(found->at("log10_p"))};
     item.seconds = json.at("seconds").get<double>();
     return item;
 }

@@ -37,6 +37,10 @@ constexpr std::array rows{
 
 } // namespace
 
+double best_published(const PublishedRates& rates) {
+    return std::min(rates.cho, rates.wang);
+}
+
 std::optional<PublishedRates> published_rates(std::string_view attack, Protocol protocol) {
     const auto* row = std::ranges::find(rows, attack, &Row::attack);
     if (row == rows.end())

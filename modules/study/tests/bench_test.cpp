@@ -90,6 +90,7 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     item.wrong = {-0.25, -1};
     item.assisted = AssistedResult{-40, true, 0.5};
     item.searched = SearchedResult{true, 96};
+    item.payload = PayloadResult{64, 3, true, false, -70.5};
     {
         BenchLog log(file.path, settings);
         log.add_command("wm3d bench");
@@ -113,6 +114,10 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
         CHECK(back.items.at(name).wrong == item.wrong);
         CHECK(back.items.at(name).assisted->coverage == 0.5);
         CHECK(back.items.at(name).searched->centres == 96);
+        REQUIRE(back.items.at(name).payload);
+        CHECK(back.items.at(name).payload->raw_errors == 3);
+        CHECK(back.items.at(name).payload->read);
+        CHECK(back.items.at(name).payload->log10_p == -70.5);
         CHECK_THROWS_WITH_AS(log.add("a.obj", {"4567", 10, 20, ""}), doctest::Contains("another mesh"),
                              InputError);
     }
@@ -131,6 +136,7 @@ TEST_CASE("results are the same at any number of threads, and only what lacks is
     setting.keys = 2;
     setting.wrong_keys = 3;
     setting.search_effort = 0.004;
+    setting.payload = 32;
     const auto bench = [&](std::size_t threads, std::size_t expected) {
         const TemporaryFile file;
         const ThreadLimit limit(threads);
@@ -157,6 +163,14 @@ TEST_CASE("results are the same at any number of threads, and only what lacks is
         CHECK(item.wrong == many.items.at(name).wrong);
         CHECK(item.wrong.size() == 3);
         CHECK(item.searched.has_value() == name.attack.starts_with("cropping"));
+        REQUIRE(item.payload);
+        CHECK(item.payload->bits == 32);
+        CHECK(item.payload->raw_errors == many.items.at(name).payload->raw_errors);
+        CHECK(item.payload->log10_p == many.items.at(name).payload->log10_p);
+        if (name.attack == "noise:0.1") {
+            CHECK(item.payload->read);
+            CHECK(item.payload->raw_errors <= 1);
+        }
     }
     for (const auto& [name, mark] : one.marks) {
         CHECK(mark.mrms <= 0.2);

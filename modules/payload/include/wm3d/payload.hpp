@@ -9,3 +9,4 @@
 #include <wm3d/payload/recipients.hpp>
 #include <wm3d/payload/sequence.hpp>
 #include <wm3d/payload/soft_binding.hpp>
+#include <wm3d/payload/uncoded.hpp>

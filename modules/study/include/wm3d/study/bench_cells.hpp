@@ -18,6 +18,20 @@ struct BenchCell {
     std::string error;         ///< why there is no copy to examine; else empty
 };
 
+/// What became of the payloads of all keys of one attack on one model.
+struct PayloadCell {
+    std::size_t keys = 0;          ///< that were examined
+    std::size_t bits = 0;          ///< of one payload
+    std::size_t raw_errors = 0;    ///< of all keys together, without a code
+    std::size_t worst_errors = 0;  ///< of one key
+    std::size_t read = 0;          ///< keys whose payload was decoded without error
+    std::size_t wrong = 0;         ///< keys that gave another payload than was sent
+    double worst_log10_p = -1e300; ///< largest over the keys
+
+    double mean_rate() const; ///< of errors without a code, over all keys; 0 if there are none
+    double worst_rate() const;
+};
+
 /// How large the marks of one model became, over its keys.
 struct BenchMarkRow {
     std::string model;
@@ -36,6 +50,7 @@ struct BenchTable {
     std::vector<std::vector<BenchCell>> cells; ///< #attacks by #models
     std::vector<std::vector<BenchCell>>
         assisted; ///< the same with the original at hand; empty if not asked for
+    std::vector<std::vector<PayloadCell>> payloads; ///< #attacks by #models; empty if no mark carries one
     std::vector<BenchMarkRow> marks;
 
     std::size_t filled() const; ///< cells with at least one key

@@ -80,6 +80,15 @@ struct SearchedResult {
     std::size_t centres = 0; ///< pairs of a centre and a sequence that were tried in all rotations
 };
 
+/// What became of the payload that a mark carries.
+struct PayloadResult {
+    std::size_t bits = 0;
+    std::size_t raw_errors = 0; ///< as payload::uncoded_errors: of `bits`, without a code
+    bool read = false;          ///< decoded without error, and believed as verify believes
+    bool wrong = false;         ///< another message was believed
+    double log10_p = 0;         ///< of what was decoded; 0 where nothing was
+};
+
 /// What is found in an attacked copy that was moved, turned and scaled at random.
 struct BenchItem {
     double log10_p = 0; ///< family-wise, as verify's
@@ -94,6 +103,7 @@ struct BenchItem {
         wrong_one; ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
     std::optional<SearchedResult> searched;
     std::optional<AssistedResult> assisted;
+    std::optional<PayloadResult> payload; ///< where the marks carry one
     double seconds = 0;
     std::string error; ///< why there is nothing to examine; else empty
 };

@@ -22,6 +22,9 @@ struct PublishedRates {
                      ///< on volume moments", 2011
 };
 
+/// The better of the two. Both were printed with two decimals.
+double best_published(const PublishedRates& rates);
+
 /// What K. Wang, G. Lavoue, F. Denis, A. Baskurt, "A benchmark for 3D mesh watermarking" (2010) and the
 /// method of 2011 report of an attack, if they do.
 std::optional<PublishedRates> published_rates(std::string_view attack, Protocol protocol);
