@@ -32,6 +32,11 @@ constexpr std::string_view schema = R"(
         tool TEXT NOT NULL, previous TEXT NOT NULL, digest TEXT NOT NULL,
         UNIQUE (work, recipient));)";
 
+/// What version 2 adds to version 1.
+constexpr std::string_view schema_of_receipts = R"(
+    ALTER TABLE copies ADD COLUMN receipt TEXT NOT NULL DEFAULT '';
+    CREATE TABLE receipts (digest TEXT PRIMARY KEY, text TEXT NOT NULL);)";
+
 constexpr std::string_view columns =
     "number, time, work, file, recipient, copy, level, settings, tool, previous, digest";
 
@@ -45,6 +50,7 @@ Entry entry_of(const Statement& row) {
             static_cast<unsigned>(row.number(6)),
             row.text(7),
             row.text(8),
+            row.text(11),
             row.text(9),
             row.text(10)};
 }
@@ -56,10 +62,12 @@ std::string sha256(std::string_view text) {
 }
 
 ordered_json to_json(const Entry& entry) {
-    ordered_json json{{"number", entry.number},    {"time", entry.time},           {"work", entry.work},
-                      {"file", entry.file},        {"recipient", entry.recipient}, {"copy", entry.copy},
-                      {"level", entry.level},      {"settings", nullptr},          {"tool", entry.tool},
-                      {"previous", entry.previous}};
+    ordered_json json{{"number", entry.number}, {"time", entry.time},           {"work", entry.work},
+                      {"file", entry.file},     {"recipient", entry.recipient}, {"copy", entry.copy},
+                      {"level", entry.level},   {"settings", nullptr},          {"tool", entry.tool}};
+    if (!entry.receipt.empty()) // entries of version 1 keep their digests
+        json["receipt"] = entry.receipt;
+    json["previous"] = entry.previous;
     // Settings that are no JSON are an altered entry: kept as they are, so that the digest tells.
     json["settings"] = ordered_json::parse(entry.settings, nullptr, false);
     if (json["settings"].is_discarded())
@@ -120,6 +128,41 @@ std::int64_t pragma(const Connection& connection, std::string_view name) {
     return statement.step() ? statement.number(0) : 0;
 }
 
+int version_of(const Connection& connection) {
+    return static_cast<int>(pragma(connection, "user_version"));
+}
+
+/// Entries with the columns that `entry_of` takes; \p rest of the statement follows.
+Statement select_entries(const Connection& connection, std::string_view rest) {
+    return connection.prepare(fmt::format("SELECT {}, {} FROM copies {}", columns,
+                                          version_of(connection) < 2 ? "''" : "receipt", rest));
+}
+
+/// Within a transaction.
+void upgrade(const Connection& connection) {
+    if (version_of(connection) >= 2)
+        return;
+    connection.run(schema_of_receipts);
+    connection.run("PRAGMA user_version = 2");
+}
+
+/// The digest of a work's receipt, if it has one.
+std::string receipt_of(const Connection& connection, std::string_view work) {
+    if (version_of(connection) < 2)
+        return "";
+    Statement row = connection.prepare(
+        "SELECT receipt FROM copies WHERE work = ? AND receipt <> '' ORDER BY number LIMIT 1");
+    row.bind(1, work);
+    return row.step() ? row.text(0) : "";
+}
+
+/// Keeps a receipt. \return  its digest
+std::string keep_receipt(const Connection& connection, std::string_view text) {
+    const std::string digest = sha256(text);
+    connection.prepare("INSERT OR IGNORE INTO receipts VALUES (?, ?)").bind(1, digest).bind(2, text).step();
+    return digest;
+}
+
 /// The owner, if it is a ledger of a version that this library knows.
 Owner read_owner(const Connection& connection, const std::filesystem::path& path) {
     if (pragma(connection, "application_id") != application_id)
@@ -142,8 +185,8 @@ void create(const Connection& connection, const Owner& owner) {
     connection.run("BEGIN IMMEDIATE");
     if (pragma(connection, "application_id") == 0 && pragma(connection, "schema_version") == 0) {
         connection.run(schema);
-        connection.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", application_id,
-                                   Ledger::format_version));
+        connection.run(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = 1", application_id));
+        upgrade(connection);
         connection.prepare("INSERT INTO owner VALUES (?, ?)")
             .bind(1, owner.fingerprint)
             .bind(2, owner.commitment)
@@ -160,10 +203,11 @@ std::string head_of(const Connection& connection, const Owner& owner) {
 
 void insert(const Connection& connection, const Entry& entry) {
     Statement statement = connection.prepare(
-        fmt::format("INSERT INTO copies ({}) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
+        fmt::format("INSERT INTO copies ({}, receipt) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", columns));
     statement.bind(1, entry.number).bind(2, entry.time).bind(3, entry.work).bind(4, entry.file);
     statement.bind(5, entry.recipient).bind(6, entry.copy).bind(7, std::int64_t{entry.level});
     statement.bind(8, entry.settings).bind(9, entry.tool).bind(10, entry.previous).bind(11, entry.digest);
+    statement.bind(12, entry.receipt);
     statement.step();
 }
 
@@ -213,7 +257,7 @@ std::int64_t Ledger::size() const {
 
 void Ledger::visit(const std::function<void(const Entry&)>& take) const {
     translated<InputError>(path_, [&] {
-        Statement row = database_->prepare(fmt::format("SELECT {} FROM copies ORDER BY number", columns));
+        Statement row = select_entries(*database_, "ORDER BY number");
         while (row.step())
             take(entry_of(row));
     });
@@ -221,8 +265,7 @@ void Ledger::visit(const std::function<void(const Entry&)>& take) const {
 
 std::optional<Entry> Ledger::find(std::string_view work, std::string_view recipient) const {
     return translated<InputError>(path_, [&]() -> std::optional<Entry> {
-        Statement row = database_->prepare(
-            fmt::format("SELECT {} FROM copies WHERE work = ? AND recipient = ?", columns));
+        Statement row = select_entries(*database_, "WHERE work = ? AND recipient = ?");
         row.bind(1, work).bind(2, recipient);
         return row.step() ? std::optional(entry_of(row)) : std::nullopt;
     });
@@ -230,10 +273,34 @@ std::optional<Entry> Ledger::find(std::string_view work, std::string_view recipi
 
 std::optional<Entry> Ledger::find(std::int64_t number) const {
     return translated<InputError>(path_, [&]() -> std::optional<Entry> {
-        Statement row = database_->prepare(fmt::format("SELECT {} FROM copies WHERE number = ?", columns));
+        Statement row = select_entries(*database_, "WHERE number = ?");
         row.bind(1, number);
         return row.step() ? std::optional(entry_of(row)) : std::nullopt;
     });
+}
+
+std::vector<WorkReceipt> Ledger::receipts() const {
+    return translated<InputError>(path_, [&] {
+        std::vector<WorkReceipt> found;
+        if (version_of(*database_) < 2)
+            return found;
+        Statement row = database_->prepare(
+            "SELECT work, text FROM copies JOIN receipts ON receipts.digest = copies.receipt "
+            "GROUP BY work ORDER BY MAX(number) DESC");
+        while (row.step())
+            found.push_back({row.text(0), row.text(1)});
+        return found;
+    });
+}
+
+bool Ledger::has_receipt(std::string_view work) const {
+    return translated<InputError>(path_, [&] { return !receipt_of(*database_, work).empty(); });
+}
+
+bool Ledger::holds_receipt(const std::string& digest) const {
+    Statement row = database_->prepare("SELECT text FROM receipts WHERE digest = ?");
+    row.bind(1, digest);
+    return row.step() && sha256(row.text(0)) == digest;
 }
 
 CheckReport Ledger::check() const {
@@ -257,6 +324,8 @@ CheckReport Ledger::check() const {
                     entry.number));
             if (entry.digest != digest_of(entry))
                 complain(fmt::format("entry {} was changed after it was entered", entry.number));
+            if (!entry.receipt.empty() && !holds_receipt(entry.receipt))
+                complain(fmt::format("the receipt of entry {} was changed or removed", entry.number));
             report.head = entry.digest;
         });
     } catch (const SqliteError& error) {
@@ -267,10 +336,11 @@ CheckReport Ledger::check() const {
     return report;
 }
 
-Addition Ledger::add(Entry entry) {
+Addition Ledger::add(Entry entry, std::string_view receipt) {
     translated<OutputError>(path_, [&] { database_->run("BEGIN IMMEDIATE"); });
     Addition addition(*this, std::move(entry)); // rolls back unless it is committed
     Entry& made = addition.entry_;
+    translated<OutputError>(path_, [&] { upgrade(*database_); });
     if (const std::optional<Entry> old = find(made.work, made.recipient))
         throw ParameterError(
             fmt::format("{}: there is a copy of this work for '{}' already, entered as number {} at {}; "
@@ -279,6 +349,9 @@ Addition Ledger::add(Entry entry) {
     translated<OutputError>(path_, [&] {
         made.number = size() + 1;
         made.time = now();
+        made.receipt = receipt_of(*database_, made.work);
+        if (made.receipt.empty() && !receipt.empty())
+            made.receipt = keep_receipt(*database_, receipt);
         made.previous = head_of(*database_, owner_);
         made.digest = digest_of(made);
         insert(*database_, made);

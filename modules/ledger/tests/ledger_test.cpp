@@ -158,10 +158,62 @@ TEST_CASE("files that are no ledger, cut, of a newer version or another key's ar
         cut = error.what();
     }
     CHECK((says(cut, "cut short") || says(cut, "damaged")));
-    meddle(folder / "l", "PRAGMA user_version = 2");
+    meddle(folder / "l", "PRAGMA user_version = 3");
     CHECK(says(complaint<InputError>(folder / "l"), "use a newer wm3d"));
     CHECK(says(complaint<OutputError>(folder / "no/such/folder", {.owner = owner, .create = true}),
                "can't be opened"));
+}
+
+TEST_CASE("a work keeps the receipt of its first copy, and a change of it shows") {
+    const Folder folder;
+    const std::string other(64, 'd');
+    {
+        Ledger ledger(folder / "l", {.owner = owner, .create = true});
+        ledger.add(draft("Ann")).commit(); // without one
+        CHECK_FALSE(ledger.has_receipt(std::string(64, 'a')));
+        { const Addition given_up = ledger.add(draft("Eve"), "not this one"); }
+        ledger.add(draft("Ben"), "first").commit();
+        ledger.add(draft("Cid"), "second").commit();
+        ledger.add(draft("Ann", other), "of another work").commit();
+    }
+    const Ledger ledger(folder / "l");
+    CHECK(ledger.has_receipt(other));
+    const std::vector<WorkReceipt> receipts = ledger.receipts();
+    REQUIRE(receipts.size() == 2);
+    CHECK(receipts[0].work == other);
+    CHECK(receipts[0].text == "of another work");
+    CHECK(receipts[1].text == "first");
+    CHECK(ledger.find(1)->receipt.empty());
+    CHECK(ledger.find(2)->receipt.size() == 64);
+    CHECK(ledger.find(3)->receipt == ledger.find(2)->receipt);
+    CHECK(ledger.check().defects.empty());
+    meddle(folder / "l", "UPDATE receipts SET text = 'third' WHERE text = 'first'");
+    const CheckReport changed = Ledger(folder / "l").check();
+    REQUIRE(changed.defects.size() == 2);
+    CHECK(changed.defects[0] == "the receipt of entry 2 was changed or removed");
+}
+
+TEST_CASE("a ledger of version 1 is read as it is, and takes receipts from the next entry on") {
+    const Folder folder;
+    made(folder / "l", 2);
+    // What version 2 added is taken away again: the entries' digests are those of version 1.
+    meddle(folder / "l",
+           "ALTER TABLE copies DROP COLUMN receipt; DROP TABLE receipts; PRAGMA user_version = 1");
+    {
+        const Ledger old(folder / "l");
+        CHECK(old.size() == 2);
+        CHECK(old.receipts().empty());
+        CHECK_FALSE(old.has_receipt(std::string(64, 'a')));
+        CHECK(old.find(2)->receipt.empty());
+        CHECK(old.check().defects.empty());
+    }
+    Ledger ledger(folder / "l", {.owner = owner, .create = true});
+    { const Addition given_up = ledger.add(draft("Ann"), "receipt"); }
+    CHECK(ledger.receipts().empty());
+    ledger.add(draft("Ann"), "receipt").commit();
+    CHECK(ledger.receipts().size() == 1);
+    CHECK(ledger.find(3)->receipt.size() == 64);
+    CHECK(ledger.check().defects.empty());
 }
 
 TEST_CASE("a ledger that another program holds is waited for, then refused") {

@@ -24,6 +24,7 @@ struct Entry {
     unsigned level = 0;   ///< of the mark's sphere
     std::string settings; ///< of the mark, a JSON object
     std::string tool;     ///< name and version of the program that marked
+    std::string receipt;  ///< SHA-256 of the work's receipt, which is kept beside the entries; empty: none
     std::string previous; ///< digest of the entry before, of the owner's commitment for the first
     std::string
         digest; ///< SHA-256 of `line` without its last field: a change of any entry shows in all after it
@@ -31,6 +32,12 @@ struct Entry {
 
 /// An entry as a line of JSON, the form that is exported and hashed.
 std::string to_json_line(const Entry& entry);
+
+/// What tells how the copies of a work lie where their own shape doesn't: the receipt of its first copy.
+struct WorkReceipt {
+    std::string work;
+    std::string text; ///< as it was entered; this library doesn't look into it
+};
 
 /// Whose ledger it is.
 struct Owner {
@@ -58,8 +65,9 @@ class Addition;
 /// An open ledger. Several programs may read and write one at a time.
 class Ledger {
 public:
-    /// Newest form of the file that this library reads and the one it writes.
-    static constexpr int format_version = 1;
+    /// Newest form of the file that this library reads and the one it writes. Version 1 had no receipts; such a file
+    /// becomes one of version 2 with the first entry that is added.
+    static constexpr int format_version = 2;
 
     /// \throw InputError      if there is none, it is no ledger, cut, altered or of a newer version
     /// \throw ParameterError  if it belongs to another key
@@ -78,18 +86,26 @@ public:
     std::optional<Entry> find(std::string_view work, std::string_view recipient) const;
     std::optional<Entry> find(std::int64_t number) const;
 
+    /// The receipts of all works that have one, those of the latest works first.
+    std::vector<WorkReceipt> receipts() const;
+
+    bool has_receipt(std::string_view work) const;
+
     /// Whether the file is whole, numbers follow each other and every digest is what it should be.
     CheckReport check() const;
 
-    /// Enters a copy, for the time being: number, time, previous and digest are filled in here, and nobody
+    /// Enters a copy, for the time being: number, time, receipt, previous and digest are filled in here, and nobody
     /// else can write until the addition is committed or given up.
+    /// \param receipt  of the work; kept if it is the first one
     /// \throw ParameterError if the work has a copy for this recipient already
     /// \throw OutputError if it is locked or can't be written
-    Addition add(Entry entry);
+    Addition add(Entry entry, std::string_view receipt = {});
 
 private:
     friend class Addition;
     struct Database;
+
+    bool holds_receipt(const std::string& digest) const;
 
     std::filesystem::path path_;
     std::unique_ptr<Database> database_;
