@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  The tables of docs/recipients.md: a million copies, wrong accusations, and copies that were mixed.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -117,6 +118,65 @@ std::vector<Vec3> mixed(const std::vector<std::vector<Vec3>>& copies, std::size_
     return result;
 }
 
+/// Copies of a mesh for the first `count` buyers.
+std::vector<std::vector<Vec3>> copies_of(const TriangleMesh& mesh, const key::Key& key, std::size_t count) {
+    std::vector<std::vector<Vec3>> copies;
+    for (std::size_t r = 0; r < count; ++r) {
+        watermark::MarkOptions options;
+        options.content.copy = payload::CopyLabel{"work", fmt::format("buyer {}", r)};
+        copies.push_back(watermark::mark(mesh, key, options).positions);
+    }
+    return copies;
+}
+
+/// What a suspect gives away, without a search.
+watermark::IdentifyReport identified(const TriangleMesh& suspect, const key::Key& key,
+                                     std::span<const watermark::IssuedCopy> issued) {
+    watermark::IdentifyOptions options;
+    options.verify.pf = pf;
+    options.verify.search = watermark::SearchUse::never;
+    return watermark::identify(suspect, key, issued, options);
+}
+
+/// Real copies, attacked, each among many crowds of a thousand: how often the right one is named, and how often anybody
+/// else of a crowd that is drawn anew for every trial.
+void crowds(const std::filesystem::path& path, std::size_t trials, const std::vector<std::string>& attacks) {
+    constexpr std::size_t keys = 5, crowd = 1000;
+    const TriangleMesh mesh = io::read(path).mesh();
+    std::size_t suspects = 0, right = 0, drawn = 0, wrong = 0;
+    double worst = -1e300, nearest = 0;
+    for (std::size_t k = 0; k < keys; ++k) {
+        const key::Key key = key::Key::generate("bench");
+        const unsigned level = watermark::default_level(key.parameters(), mesh.positions.size());
+        std::vector<watermark::IssuedCopy> issued;
+        for (const std::uint64_t number : buyers(crowd, level))
+            issued.push_back({number, level});
+        TriangleMesh copy = mesh;
+        copy.positions = copies_of(mesh, key, 1).front();
+        for (const std::string& attack : attacks) {
+            const auto report =
+                identified(attack::apply(copy, attack::parse_chain(attack + "+similarity"), k), key, issued);
+            ++suspects;
+            for (const payload::Accusation& a : report.accused) {
+                ++(a.copy == 0 ? right : wrong);
+                worst = a.copy == 0 ? std::max(worst, a.log10_p) : worst;
+            }
+            for (std::size_t t = 0; t < trials; ++t, ++drawn) {
+                std::vector<std::uint64_t> innocent;
+                for (std::size_t r = 0; r < crowd; ++r)
+                    innocent.push_back(
+                        payload::copy_number("another work", fmt::format("buyer {} of {}", r, drawn), level));
+                const std::vector<double> scores =
+                    payload::copy_scores(key.secret(), report.mark.statistic, innocent);
+                nearest = std::max(nearest, *std::ranges::max_element(scores));
+                wrong += payload::accuse(report.mark.statistic, scores, std::log10(pf), crowd).size();
+            }
+        }
+    }
+    fmt::print("| {} | {} of {} | {:.1f} | {} | {} | {:.2f} |\n", path.stem().string(), right, suspects,
+               worst, drawn, wrong, nearest);
+}
+
 void collude(const std::filesystem::path& path, const std::vector<std::string>& attacks) {
     const TriangleMesh mesh = io::read(path).mesh();
     const key::Key key = key::Key::generate("bench");
@@ -124,29 +184,23 @@ void collude(const std::filesystem::path& path, const std::vector<std::string>& 
     std::vector<watermark::IssuedCopy> issued;
     for (const std::uint64_t number : buyers(1000, level))
         issued.push_back({number, level});
-    std::vector<std::vector<Vec3>> copies;
-    for (std::size_t r = 0; r < 8; ++r) {
-        watermark::MarkOptions options;
-        options.content.copy = payload::CopyLabel{"work", fmt::format("buyer {}", r)};
-        copies.push_back(watermark::mark(mesh, key, options).positions);
-    }
+    const std::vector<std::vector<Vec3>> copies = copies_of(mesh, key, 8);
     for (const bool mean : {true, false})
         for (const std::size_t count : {1u, 2u, 3u, 5u, 8u}) {
             std::vector<std::string> cells;
             for (const std::string& attack : attacks) {
                 TriangleMesh copy = mesh;
                 copy.positions = mixed(copies, count, mean);
-                const TriangleMesh suspect_mesh = attack::apply(copy, attack::parse_chain(attack), 1);
-                watermark::VerifyOptions options;
-                options.pf = pf;
-                options.search = watermark::SearchUse::never;
-                const auto report = watermark::identify(suspect_mesh, key, issued, options);
+                const TriangleMesh suspect_mesh =
+                    attack::apply(copy, attack::parse_chain(attack + "+similarity"), 1);
+                const auto report = identified(suspect_mesh, key, issued);
                 std::size_t right = 0;
                 for (const payload::Accusation& a : report.accused)
                     right += a.copy < count;
-                cells.push_back(fmt::format("{}/{}{} ({:.1f})", right, count,
-                                            report.accused.size() > right ? " and wrong ones" : "",
-                                            report.best_sigmas));
+                cells.push_back(
+                    fmt::format("{}/{}{} ({:.1f}{})", right, count,
+                                report.accused.size() > right ? " and wrong ones" : "", report.best_sigmas,
+                                right > 0 ? fmt::format(", {:.1f}", report.accused.front().log10_p) : ""));
             }
             fmt::print("| {} | {}, {} | {} |\n", path.stem().string(), mean ? "mean" : "vertices", count,
                        fmt::join(cells, " | "));
@@ -165,9 +219,13 @@ int main(int count, char** arguments) {
         innocents(std::stod(words[1]), std::stoul(words[2]));
     else if (words.size() >= 3 && words[0] == "collude")
         collude(words[1], {words.begin() + 2, words.end()});
+    else if (words.size() >= 4 && words[0] == "crowds")
+        crowds(words[1], std::stoul(words[2]), {words.begin() + 3, words.end()});
     else {
-        fmt::print(stderr,
-                   "usage: recipients_bench million | innocents SIGMAS TRIALS | collude MESH ATTACK...\n");
+        fmt::print(
+            stderr,
+            "usage: recipients_bench million | innocents SIGMAS TRIALS | crowds MESH TRIALS ATTACK... | "
+            "collude MESH ATTACK...\n");
         return 2;
     }
 }

@@ -40,19 +40,34 @@ struct Match {
     payload::Accusation accusation;
 };
 
-/// The copies of a ledger, in the order of their numbers.
+/// The copies of a ledger, in the order of their numbers, and what it knows of their works.
 struct Copies {
     std::vector<watermark::IssuedCopy> issued;
     std::vector<std::int64_t> entry;
+    std::vector<std::string> works; ///< of the receipts, those of the latest works first
+    std::vector<resync::Receipt> receipts;
 };
 
-Copies read_copies(const ledger::Ledger& book) {
+/// Receipts that are tried at an effort of 1, a second or two each. Where there are more works, the latest.
+constexpr double receipts_at_usual_effort = 50;
+
+Copies read_copies(const ledger::Ledger& book, const IdentifyArguments& arguments) {
     Copies copies;
     book.visit([&](const ledger::Entry& entry) {
         copies.issued.push_back(
             {payload::copy_number(entry.work, entry.recipient, entry.level), entry.level});
         copies.entry.push_back(entry.number);
     });
+    const auto most = static_cast<std::size_t>(receipts_at_usual_effort * arguments.options.effort);
+    if (!arguments.resync.empty()) // the poses were named
+        return copies;
+    for (const ledger::WorkReceipt& receipt : book.receipts()) {
+        if (copies.receipts.size() == most)
+            break;
+        copies.receipts.push_back(
+            resync::parse_receipt(receipt.text, arguments.ledger + ", receipt of work " + receipt.work));
+        copies.works.push_back(receipt.work);
+    }
     return copies;
 }
 
@@ -63,6 +78,20 @@ std::vector<Match> matches_of(const watermark::IdentifyReport& report, const Cop
         if (const auto entry = book.find(copies.entry[accusation.copy]))
             matches.push_back({*entry, accusation});
     return matches;
+}
+
+/// In a word or two.
+std::string_view answer(const watermark::IdentifyReport& report) {
+    if (!report.accused.empty())
+        return "matched";
+    switch (report.mark.verdict) {
+    case Verdict::present:
+        return "ours";
+    case Verdict::absent:
+        return "not ours";
+    default:
+        return "inconclusive";
+    }
 }
 
 std::string sentence(const IdentifyArguments& arguments, const watermark::IdentifyReport& report,
@@ -81,23 +110,30 @@ std::string sentence(const IdentifyArguments& arguments, const watermark::Identi
             fmt::join(whose, "; "), copies);
     }
     if (report.mark.verdict == Verdict::present)
-        return fmt::format(
-            "none: {} carries the mark of {} (p = {}), but none of the {} copies in {} shows in it.", file,
-            key, power_of_ten(report.mark.score.log10_p), copies, arguments.ledger);
+        return fmt::format("ours, of none of these copies: {} carries the mark of {} (p = {}), but none of "
+                           "the {} copies in {} shows in "
+                           "it.",
+                           file, key, power_of_ten(report.mark.score.log10_p), copies, arguments.ledger);
     return fmt::format(
-        "none: neither the mark of {} (p = {}) nor any of the {} copies in {} was found in {}{}", key,
-        power_of_ten(report.mark.score.log10_p), copies, arguments.ledger, file,
+        "{}: neither the mark of {} (p = {}) nor any of the {} copies in {} was found in {}{}",
+        answer(report), key, power_of_ten(report.mark.score.log10_p), copies, arguments.ledger, file,
         report.mark.verdict == Verdict::absent
             ? "."
             : "; but it is too damaged, too plain or too small a part to say that it is not the owner's.");
 }
 
-std::string figures(const watermark::IdentifyReport& report, const std::vector<Match>& matches) {
+std::string figures(const watermark::IdentifyReport& report, const std::vector<Match>& matches,
+                    const Copies& copies) {
     std::string text;
     for (const Match& match : matches)
         text += fmt::format("match           {}, log10 p {:.2f}, {:.2f} standard deviations, work {}\n",
                             match.entry.recipient, match.accusation.log10_p, match.accusation.sigmas,
                             match.entry.work);
+    if (report.receipts_tried > 0)
+        text += fmt::format("receipts        {} tried{}\n", report.receipts_tried,
+                            report.receipt ? "; that of work " + copies.works[*report.receipt].substr(0, 12) +
+                                                 " told the pose"
+                                           : "");
     return text +
            fmt::format("mark            {}, log10 p {:.2f}, level {} ({})\ncompared        {} copies; the "
                        "clearest scores {:.2f} standard deviations\n",
@@ -106,7 +142,7 @@ std::string figures(const watermark::IdentifyReport& report, const std::vector<M
 }
 
 ordered_json to_json(const IdentifyArguments& arguments, const watermark::IdentifyReport& report,
-                     const std::vector<Match>& matches, std::size_t copies, const key::Key& key) {
+                     const std::vector<Match>& matches, const Copies& copies, const key::Key& key) {
     ordered_json list = ordered_json::array();
     for (const Match& match : matches)
         list.push_back({{"work", match.entry.work},
@@ -119,7 +155,8 @@ ordered_json to_json(const IdentifyArguments& arguments, const watermark::Identi
             {"key", key.fingerprint()},
             {"ledger", arguments.ledger},
             {"pf", arguments.options.pf},
-            {"copies", copies},
+            {"answer", answer(report)},
+            {"copies", copies.issued.size()},
             {"compared", report.compared},
             {"matches", list},
             {"mark",
@@ -128,6 +165,9 @@ ordered_json to_json(const IdentifyArguments& arguments, const watermark::Identi
               {"hypotheses", report.mark.score.hypotheses},
               {"level", report.mark.level},
               {"pose_origin", report.mark.pose_origin}}},
+            {"receipts",
+             {{"tried", report.receipts_tried},
+              {"work", report.receipt ? ordered_json(copies.works[*report.receipt]) : ordered_json()}}},
             {"best_sigmas", report.best_sigmas}};
 }
 
@@ -136,10 +176,10 @@ int run(const IdentifyArguments& arguments, Output& output) {
     IdentifyArguments known = arguments;
     known.ledger = ledger_path(arguments.ledger, arguments.key);
     const ledger::Ledger book(known.ledger, {.owner = owner_of(key)});
-    const Copies copies = read_copies(book);
+    const Copies copies = read_copies(book, known);
     const io::Model model = read_input(arguments.files);
-    const watermark::IdentifyReport report =
-        watermark::identify(model.mesh(), key, copies.issued, arguments.options, output.progress());
+    const watermark::IdentifyReport report = watermark::identify(
+        model.mesh(), key, copies.issued, {arguments.options, copies.receipts}, output.progress());
     const std::vector<Match> matches = matches_of(report, copies, book);
     const std::string name =
         key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());
@@ -147,8 +187,8 @@ int run(const IdentifyArguments& arguments, Output& output) {
                               matches.empty() ? Tone::plain : Tone::good) +
                  "\n");
     if (!output.quiet())
-        output.print(figures(report, matches));
-    output.print_json(to_json(known, report, matches, copies.issued.size(), key));
+        output.print(figures(report, matches, copies));
+    output.print_json(to_json(known, report, matches, copies, key));
     return matches.empty() ? exit_check_failed : exit_done;
 }
 
@@ -172,11 +212,12 @@ Action declare_identify(CLI::App& app) {
     app.add_option(
            "--resync", arguments->resync,
            "pca: principal axes alone; none: canonical frame alone; search: every pose, as verify does "
-           "[pca, and search where it is needed]")
+           "[pca, and receipts and search where they are needed]")
         ->option_text("NAME")
         ->check(CLI::IsMember({"pca", "none", "search"}));
-    app.add_option("--effort", arguments->options.effort,
-                   "How long to search: 1 takes a minute or two on two cores, 0 doesn't [1]")
+    app.add_option(
+           "--effort", arguments->options.effort,
+           "How long to search: 1 tries 50 receipts and takes a minute or two on two cores, 0 doesn't [1]")
         ->option_text("E")
         ->check(number_between(0, 1000));
     app.add_option("--vertices", arguments->options.vertices, "Vertices to simplify the suspect to [20000]")

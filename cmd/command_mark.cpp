@@ -119,19 +119,23 @@ std::optional<ledger::Entry> write(const watermark::MarkedModel& result, const i
         io::add_files(set, arguments.files.output, result.files);
         targets = names_of(arguments.files.output, result.files);
     }
+    const std::string ledger = ledger_path(arguments.ledger, arguments.key);
     std::optional<std::string> receipt;
-    if (!arguments.receipt.empty()) { // after the files that it speaks of
+    if (!arguments.receipt.empty() || (copy && !has_receipt(ledger, copy->work)))
         receipt = resync::to_text(watermark::make_receipt(model, result, key, output.progress()));
+    std::optional<std::string> deposited;
+    if (!arguments.receipt.empty()) { // after the files that it speaks of
         set.add(arguments.receipt, *receipt);
         targets.emplace_back(arguments.receipt);
+        deposited = receipt;
     }
     add_commitment_files(set, arguments.commitment,
-                         commitment::commit_to(key, {arguments.options.vertices}, receipt));
+                         commitment::commit_to(key, {arguments.options.vertices}, deposited));
     if (to_stream)
         output.write_bytes(result.files.bytes);
     if (copy)
-        return enter_copy(ledger_path(arguments.ledger, arguments.key), key,
-                          entry_for(result, key, arguments, *copy), set, targets, arguments.files.overwrite);
+        return enter_copy(ledger, key, entry_for(result, key, arguments, *copy), receipt.value_or(""), set,
+                          targets, arguments.files.overwrite);
     set.commit();
     return {};
 }

@@ -89,6 +89,10 @@ void check_entry(const std::string& path, const key::Key& key, std::string_view 
                         path, recipient, old->number, old->time));
 }
 
+bool has_receipt(const std::string& path, std::string_view work) {
+    return fs::exists(path) && !fs::is_empty(path) && ledger::Ledger(path).has_receipt(work);
+}
+
 std::vector<fs::path> names_of(const fs::path& path, const io::PatchedFiles& files) {
     std::vector<fs::path> names{path};
     for (const io::SideFile& side : files.side_files)
@@ -97,9 +101,10 @@ std::vector<fs::path> names_of(const fs::path& path, const io::PatchedFiles& fil
 }
 
 ledger::Entry enter_copy(const std::string& ledger, const key::Key& key, ledger::Entry entry,
-                         io::FileSet& files, const std::vector<fs::path>& names, bool overwrite) {
+                         std::string_view receipt, io::FileSet& files, const std::vector<fs::path>& names,
+                         bool overwrite) {
     ledger::Ledger book(ledger, {.owner = owner_of(key), .create = true});
-    ledger::Addition addition = book.add(std::move(entry));
+    ledger::Addition addition = book.add(std::move(entry), receipt);
     ProvisionalFiles provisional;
     for (const fs::path& name : names)
         provisional.add(name, overwrite);

@@ -26,13 +26,18 @@ void check_recipient(std::string_view name);
 void check_entry(const std::string& ledger, const key::Key& key, std::string_view work,
                  std::string_view recipient);
 
+/// Whether the ledger already tells how the copies of a work lie.
+bool has_receipt(const std::string& ledger, std::string_view work);
+
 /// The names of a model's files.
 std::vector<std::filesystem::path> names_of(const std::filesystem::path& path, const io::PatchedFiles& files);
 
 /// Gives the files of a copy, whose bytes are on the disk already, their names and enters it in the ledger:
-/// both or neither. What they replace with `overwrite` comes back where the entry fails.
+/// both or neither. What they replace with `overwrite` comes back where the entry fails. The receipt is kept if the
+/// work has none yet.
 /// \throw OutputError, ParameterError
 ledger::Entry enter_copy(const std::string& ledger, const key::Key& key, ledger::Entry entry,
-                         io::FileSet& files, const std::vector<std::filesystem::path>& names, bool overwrite);
+                         std::string_view receipt, io::FileSet& files,
+                         const std::vector<std::filesystem::path>& names, bool overwrite);
 
 } // namespace wm3d::cmd

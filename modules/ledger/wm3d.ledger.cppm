@@ -13,4 +13,5 @@ using wm3d::ledger::Ledger;
 using wm3d::ledger::OpenOptions;
 using wm3d::ledger::Owner;
 using wm3d::ledger::to_json_line;
+using wm3d::ledger::WorkReceipt;
 } // namespace wm3d::ledger

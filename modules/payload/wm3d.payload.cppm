@@ -175,12 +175,15 @@ using wm3d::payload::read_payload;
 using wm3d::payload::Reading;
 using wm3d::payload::ReadOptions;
 using wm3d::payload::Shares;
+using wm3d::payload::shares_of_weak_copies;
 using wm3d::payload::sign_height;
 using wm3d::payload::soft_binding_alg;
 using wm3d::payload::soft_binding_value;
 using wm3d::payload::soft_values;
 using wm3d::payload::to_argument;
 using wm3d::payload::to_frame;
+using wm3d::payload::uncoded_errors;
+using wm3d::payload::UncodedErrors;
 } // namespace wm3d::payload
 
 export namespace wm3d::sphere {

@@ -261,12 +261,15 @@ using wm3d::payload::read_payload;
 using wm3d::payload::Reading;
 using wm3d::payload::ReadOptions;
 using wm3d::payload::Shares;
+using wm3d::payload::shares_of_weak_copies;
 using wm3d::payload::sign_height;
 using wm3d::payload::soft_binding_alg;
 using wm3d::payload::soft_binding_value;
 using wm3d::payload::soft_values;
 using wm3d::payload::to_argument;
 using wm3d::payload::to_frame;
+using wm3d::payload::uncoded_errors;
+using wm3d::payload::UncodedErrors;
 } // namespace wm3d::payload
 
 export namespace wm3d::resync {
@@ -365,6 +368,7 @@ using wm3d::sphere::SphereLocation;
 export namespace wm3d::watermark {
 using wm3d::watermark::ambiguity_of;
 using wm3d::watermark::compare_with_reference;
+using wm3d::watermark::content_statistic;
 using wm3d::watermark::default_level;
 using wm3d::watermark::default_pf;
 using wm3d::watermark::default_strength;
@@ -378,6 +382,7 @@ using wm3d::watermark::examination_options;
 using wm3d::watermark::ExaminationOptions;
 using wm3d::watermark::FoundPose;
 using wm3d::watermark::identify;
+using wm3d::watermark::IdentifyOptions;
 using wm3d::watermark::IdentifyReport;
 using wm3d::watermark::IssuedCopy;
 using wm3d::watermark::KnownPose;

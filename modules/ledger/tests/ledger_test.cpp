@@ -128,7 +128,7 @@ TEST_CASE("what is changed, removed or put in shows") {
          {"UPDATE copies SET recipient = 'Eve' WHERE number = 2", "DELETE FROM copies WHERE number = 2",
           "UPDATE copies SET settings = 'x' WHERE number = 1",
           "INSERT INTO copies SELECT 4, time, 'w', file, 'Eve', copy, level, settings, tool, previous, "
-          "digest FROM "
+          "digest, receipt FROM "
           "copies WHERE number = 3"}) {
         std::filesystem::remove(folder / "l");
         made(folder / "l", 3);

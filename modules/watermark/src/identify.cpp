@@ -6,10 +6,65 @@
 
 namespace wm3d::watermark {
 
+namespace {
+
+/// Part of P_f that all receipts together have, whether they will be needed or not.
+constexpr double receipts_share = 0.001;
+
+/// A verdict at a part of P_f, whose p then counts for the whole.
+VerifyReport verify_at_share(const Suspect& suspect, const key::Key& key, VerifyOptions options, double share,
+                             const Progress& progress) {
+    options.pf *= share;
+    VerifyReport report = verify(suspect, key, options, progress);
+    report.score.log10_p = std::min(0.0, report.score.log10_p - std::log10(share));
+    return report;
+}
+
+/// The first receipt whose pose shows the mark.
+void try_receipts(IdentifyReport& report, const Suspect& suspect, const key::Key& key,
+                  const IdentifyOptions& options, const Progress& progress) {
+    VerifyOptions by_receipt = options.verify;
+    by_receipt.search = SearchUse::never;
+    by_receipt.resync = Resync::icp; // the receipt's poses alone
+    by_receipt.align_receipt = resync::has_registration();
+    const double share = receipts_share / static_cast<double>(options.receipts.size());
+    for (std::size_t k = 0; k < options.receipts.size(); ++k) {
+        by_receipt.receipt = &options.receipts[k];
+        ++report.receipts_tried;
+        VerifyReport found = verify_at_share(suspect, key, by_receipt, share, progress);
+        if (found.verdict != detect::Verdict::present)
+            continue;
+        report.mark = std::move(found);
+        report.receipt = k;
+        return;
+    }
+}
+
+/// Whether the mark is there, and where: by a quick look, then by what is known of the works, then by a search.
+void look_for_mark(IdentifyReport& report, const Suspect& suspect, const key::Key& key,
+                   const IdentifyOptions& options, const Progress& progress) {
+    if (options.receipts.empty() || options.verify.detector != Detector::whitened) {
+        report.mark = verify(suspect, key, options.verify, progress);
+        return;
+    }
+    VerifyOptions quick = options.verify;
+    quick.search = SearchUse::never;
+    const bool may_search = options.verify.search != SearchUse::never;
+    const double share = (1 - receipts_share) * (may_search ? 1 - search_share : 1);
+    report.mark = verify_at_share(suspect, key, quick, share, progress);
+    if (report.mark.verdict != detect::Verdict::present)
+        try_receipts(report, suspect, key, options, progress);
+    if (may_search && report.mark.verdict != detect::Verdict::present)
+        report.mark = verify_at_share(suspect, key, options.verify, 1 - receipts_share, progress);
+}
+
+} // namespace
+
 IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::span<const IssuedCopy> copies,
-                        const VerifyOptions& options, const Progress& progress) {
+                        const IdentifyOptions& options, const Progress& progress) {
     IdentifyReport report;
-    report.mark = verify(suspect, key, options, progress);
+    look_for_mark(report, simplify_suspect(suspect, options.verify.vertices, progress), key, options,
+                  progress);
     std::vector<std::uint64_t> numbers;
     std::vector<std::size_t> place; // of each number among the copies
     for (std::size_t k = 0; k < copies.size(); ++k)
@@ -21,7 +76,8 @@ IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::s
         payload::copy_scores(key.secret(), report.mark.statistic, numbers, progress);
     report.compared = numbers.size();
     report.best_sigmas = scores.empty() ? 0 : *std::ranges::max_element(scores);
-    report.accused = payload::accuse(report.mark.statistic, scores, std::log10(options.pf), copies.size());
+    report.accused =
+        payload::accuse(report.mark.statistic, scores, std::log10(options.verify.pf), copies.size());
     for (payload::Accusation& accusation : report.accused)
         accusation.copy = place[accusation.copy];
     return report;

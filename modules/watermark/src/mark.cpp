@@ -265,7 +265,8 @@ double Marker::normal_rms(std::span<const Vec3> moved) const {
 }
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
-    return mark(payload::mark_sequence(secret, setting.level, setting.rmax, setting.content), setting);
+    return mark(payload::mark_sequence(secret, setting.level, setting.rmax, setting.content, setting.shares),
+                setting);
 }
 
 Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const {
@@ -315,6 +316,7 @@ Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& op
     setting.profile = options.profile;
     setting.gamma = options.gamma;
     setting.content = options.content;
+    setting.shares = options.shares;
     if (options.strength)
         setting.strength = *options.strength;
     else

@@ -130,10 +130,9 @@ io::Format format_of(const std::filesystem::path& path, const std::optional<io::
                     path.string()));
 }
 
-} // namespace
-
-MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
-                       const Progress& progress) {
+/// One mark and its verdict. For a loss, the remedy is still to be found, but where no mark is little enough to be seen.
+MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
+                      const Progress& progress) {
     MarkedModel result;
     result.coordinate_step = model.coordinate_step();
     result.ambiguity = ambiguity_of(model.mesh());
@@ -161,7 +160,21 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
         result.loss =
             found_in_memory(mesh, key, options.mark, marked.positions) ? Loss::storage : Loss::power;
     }
-    if (result.loss != Loss::none)
+    return result;
+}
+
+} // namespace
+
+MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkModelOptions& asked,
+                       const Progress& progress) {
+    MarkModelOptions options = asked;
+    MarkedModel result = mark_once(model, key, options, progress);
+    if (const payload::Content& content = options.mark.content;
+        result.loss == Loss::power && content.copy && !content.message) {
+        options.mark.shares = payload::shares_of_weak_copies;
+        result = mark_once(model, key, options, progress);
+    }
+    if (result.loss != Loss::none && result.loss != Loss::visibility)
         result.remedy = remedy(model, key, options, result);
     return result;
 }

@@ -56,7 +56,7 @@ TEST_CASE("filters of one pose together say more about the content than the best
     const std::vector<detect::Hypothesis> family{seen(0.2, mark.both, 11, 0), seen(0.25, mark.both, 12, 1),
                                                  seen(0.2, mark.both, 13, 2)};
     const detect::LinearStatistic blend = content_statistic(family, 1, mark.common);
-    CHECK(sigmas(blend, scaled) > 1.1 * sigmas(family[1].statistic, scaled));
+    CHECK(sigmas(blend, scaled) > 1.05 * sigmas(family[1].statistic, scaled));
     CHECK(blend.rmax() == rmax);
 
     // Whoever wears another key's content is told nothing by the choice of weights.

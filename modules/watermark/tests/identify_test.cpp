@@ -8,6 +8,7 @@
 
 #include <wm3d/shapes.hpp>
 #include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/receipt.hpp>
 
 #include "fixed_key.hpp"
 
@@ -42,9 +43,18 @@ IdentifyReport identified(const TriangleMesh& mesh, const std::vector<Vec3>& pos
                           const std::vector<IssuedCopy>& copies) {
     TriangleMesh suspect = mesh;
     suspect.positions = positions;
-    VerifyOptions options;
-    options.search = SearchUse::never;
+    IdentifyOptions options;
+    options.verify.search = SearchUse::never;
     return identify(suspect, key_of_tests, copies, options);
+}
+
+/// What lies on one side of a plane.
+TriangleMesh half(const TriangleMesh& mesh) {
+    TriangleMesh part{mesh.positions, {}};
+    for (const Triangle& t : mesh.triangles)
+        if (std::ranges::all_of(t, [&](Index v) { return mesh.positions[v].x() < 0.2; }))
+            part.triangles.push_back(t);
+    return part;
 }
 
 } // namespace
@@ -76,6 +86,37 @@ TEST_CASE(
     CHECK(own.accused.empty());
     CHECK(own.is_owners());
     CHECK_FALSE(identified(mesh, mesh.positions, copies).is_owners());
+}
+
+TEST_CASE("a part of a copy is told by the receipt of its work, in whatever order the receipts come") {
+    const TriangleMesh mesh = shapes::blob(12000, 4), other = shapes::blob(12000, 5);
+    const Marked one = marked(mesh, {{}, payload::CopyLabel{work, buyer(3)}});
+    const std::vector<IssuedCopy> copies = issued(20, one.level);
+    std::vector<resync::Receipt> receipts{make_receipt(other, one, key_of_tests, "other", "copy"),
+                                          make_receipt(mesh, one, key_of_tests, "work", "copy")};
+    receipts[0].frame = canonical_frame(other);
+    const TriangleMesh part = half({one.positions, mesh.triangles});
+    IdentifyOptions options;
+    options.verify.search = SearchUse::never;
+    CHECK(identify(part, key_of_tests, copies, options).accused.empty());
+
+    options.receipts = receipts;
+    const IdentifyReport report = identify(part, key_of_tests, copies, options);
+    CHECK(report.receipts_tried == 2);
+    CHECK(report.receipt == 1);
+    CHECK(report.is_owners());
+    REQUIRE(report.accused.size() == 1);
+    CHECK(report.accused[0].copy == 3);
+
+    // Where the quick look finds the mark, no receipt is needed.
+    const IdentifyReport whole = identify({one.positions, mesh.triangles}, key_of_tests, copies, options);
+    CHECK(whole.receipts_tried == 0);
+    CHECK_FALSE(whole.receipt);
+    CHECK(whole.accused.size() == 1);
+    // A part of what was never marked is no more the owner's for all the receipts.
+    const IdentifyReport innocent = identify(half(mesh), key_of_tests, copies, options);
+    CHECK(innocent.receipts_tried == 2);
+    CHECK_FALSE(innocent.is_owners());
 }
 
 TEST_CASE("a payload and a copy in one mark are both read") {

@@ -36,6 +36,7 @@ struct MarkOptions {
     std::optional<double> rmax;              ///< height of the bumps; the key's own if not given
     double pf = default_pf;                  ///< at which the mark has to be found again
     payload::Content content;                ///< what the mark says besides whose it is
+    payload::Shares shares;                  ///< of its energy; detectors don't need to know them
 };
 
 struct Marked {
@@ -61,6 +62,7 @@ struct MarkSetting {
     std::optional<double> gamma = std::nullopt;
     Profile profile = Profile::robust;
     payload::Content content = {};
+    payload::Shares shares = {};
     std::optional<double> visibility = std::nullopt; ///< MSDM2 to keep to, as in MarkOptions
 };
 

@@ -47,7 +47,8 @@ struct MarkedModel {
     double coordinate_step = 0;  ///< as io::Model's; a move well below it is lost
 };
 
-/// Marks a model, patches its bytes, reads these again and verifies them. Nothing is written.
+/// Marks a model, patches its bytes, reads these again and verifies them. Nothing is written. A copy of its own whose
+/// mark isn't found is tried once more with more of the mark in the common part.
 /// \throw ParameterError, GeometryError  as `mark`
 /// \throw InputError                     with Normals::turn, if the normals can't be understood
 MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkModelOptions& options = {},
