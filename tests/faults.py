@@ -366,8 +366,9 @@ class Commitments(InFolder):
             done = wm3d("verify", marked, "--key", *arguments)
             self.assertEqual(done.returncode, 2)
             self.assertEqual(done.stderr.count(b"\n"), 1, done.stderr)
-        receipt.write_text(receipt.read_text() + "\n")
-        done = wm3d("verify", marked, "--key", owner, "--commitment", commitment, "--receipt", receipt)
+        another = self.folder / "another"  # of the same key and model, but of another mark
+        wm3d("mark", source, "-o", self.folder / "again.ply", "--key", owner, "--strength", "0.31", "--receipt", another)
+        done = wm3d("verify", marked, "--key", owner, "--commitment", commitment, "--receipt", another)
         self.assertEqual(done.returncode, 2)
         self.assertIn(b"not the one that was committed to", done.stderr)
 

@@ -84,8 +84,9 @@ double in_two_digits(double size) {
 std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key::Key& key,
                                               MarkModelOptions options) {
     constexpr int most_doublings = 5;
+    constexpr double most_seen = 0.5; // nobody would want to see more, and each try is a mark
     MarkOptions& mark = options.mark;
-    const double most = mark.strength || mark.gamma ? HUGE_VAL : 1;
+    const double most = mark.strength || mark.gamma ? HUGE_VAL : most_seen;
     double too_small = size_of(mark);
     for (int k = 0; k < most_doublings && too_small < most; ++k) {
         size_of(mark) = in_two_digits(std::min(2 * too_small, most));
