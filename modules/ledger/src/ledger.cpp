@@ -156,7 +156,8 @@ std::string receipt_of(const Connection& connection, std::string_view work) {
     return row.step() ? row.text(0) : "";
 }
 
-/// Keeps a receipt. \return  its digest
+/// Keeps a receipt.
+/// \return  its digest
 std::string keep_receipt(const Connection& connection, std::string_view text) {
     const std::string digest = sha256(text);
     connection.prepare("INSERT OR IGNORE INTO receipts VALUES (?, ?)").bind(1, digest).bind(2, text).step();

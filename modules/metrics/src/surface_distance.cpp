@@ -51,7 +51,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
-/// Distances of the samples in triangle f. \param near  a triangle to look at first; then the last one found
+/// Distances of the samples in triangle f.
+/// \param near  a triangle to look at first; then the last one found
 void add_triangle(const TriangleMesh& from, std::size_t f, const SurfaceTree& to, double density, Index& near,
                   Sums& sums) {
     const Vec3 normal = area_vector(from, f);

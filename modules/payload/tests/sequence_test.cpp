@@ -42,7 +42,8 @@ TEST_CASE("the parts have their shares of the energy, which stays the same") {
             CHECK(share(mark, payload_sequence(secret, 5, 0.1, message)) ==
                   doctest::Approx(part).epsilon(0.1));
         if (content.copy)
-            CHECK(share(mark, copy_sequence(secret, 5, 0.1, copy_number("work", "Ann", 5))) == doctest::Approx(part).epsilon(0.1));
+            CHECK(share(mark, copy_sequence(secret, 5, 0.1, copy_number("work", "Ann", 5))) ==
+                  doctest::Approx(part).epsilon(0.1));
         const double energy = std::inner_product(mark.begin(), mark.end(), mark.begin(), 0.0);
         CHECK(energy == doctest::Approx(static_cast<double>(mark.size()) * 0.01 / 3).epsilon(0.05));
     }

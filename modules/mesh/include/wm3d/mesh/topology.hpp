@@ -30,7 +30,7 @@ Topology inspect_topology(const TriangleMesh& mesh);
 /// A connected set of boundary edges.
 struct BorderLoop {
     std::size_t edges = 0;
-    double length = 0; ///< in units of the mesh
+    double length = 0;          ///< in units of the mesh
     Vec3 centre = Vec3::Zero(); ///< of its edges, by their lengths
     /// Area vector of any surface that closes the loop; near 0 for a crack.
     Vec3 opening = Vec3::Zero();

@@ -27,7 +27,7 @@ struct BenchSetting {
     /// Of the search in all poses that follows where the quick look's p is above 1e-9, as of `verify
     /// --effort`: half a minute of one core at most. 0: the quick look alone.
     double search_effort = 0.2;
-    std::size_t payload = 0;     ///< bits of a random payload in every mark: 32, 64, 128, or 0 for none
+    std::size_t payload = 0; ///< bits of a random payload in every mark: 32, 64, 128, or 0 for none
     std::size_t vertices = watermark::default_vertices;
     watermark::Profile profile = watermark::Profile::robust;
     key::PublicParameters parameters{}; ///< of every key
