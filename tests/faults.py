@@ -448,8 +448,8 @@ class Passphrases(InFolder):
     def test_no_core_dump_and_no_secret_in_dumpable_memory(self):
         source, owner = self.sample(60000), self.key()
         secret = re.search("^secret: (.*)$", owner.read_text(), re.M).group(1)
-        process = subprocess.Popen([outside.WM3D, "verify", str(source), "--key", str(owner)], stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
+        process = subprocess.Popen([outside.WM3D, "verify", str(source), "--key", str(owner), "--null-keys", "100000"],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # so many that it is at work
         try:
             limits = pathlib.Path(f"/proc/{process.pid}/limits")
             for _ in range(400):  # until it has read the key
