@@ -29,6 +29,8 @@ using wm3d::parallel_tasks;
 using wm3d::ParameterError;
 using wm3d::Progress;
 using wm3d::split_mix;
+using wm3d::split_mix_finalizer;
+using wm3d::split_mix_step;
 using wm3d::sync_folder_of;
 using wm3d::thread_count;
 using wm3d::ThreadLimit;

@@ -63,6 +63,8 @@ using wm3d::sign_choices;
 using wm3d::solid_moments;
 using wm3d::SolidMoments;
 using wm3d::split_mix;
+using wm3d::split_mix_finalizer;
+using wm3d::split_mix_step;
 using wm3d::Substance;
 using wm3d::surface_area;
 using wm3d::surface_box;

@@ -81,6 +81,8 @@ using wm3d::sign_choices;
 using wm3d::solid_moments;
 using wm3d::SolidMoments;
 using wm3d::split_mix;
+using wm3d::split_mix_finalizer;
+using wm3d::split_mix_step;
 using wm3d::Substance;
 using wm3d::surface_area;
 using wm3d::surface_box;
@@ -380,6 +382,7 @@ using wm3d::sphere::SphereLocation;
 
 export namespace wm3d::watermark {
 using wm3d::watermark::ambiguity_of;
+using wm3d::watermark::beside_search;
 using wm3d::watermark::compare_with_reference;
 using wm3d::watermark::content_statistic;
 using wm3d::watermark::default_level;
@@ -404,6 +407,7 @@ using wm3d::watermark::make_receipt;
 using wm3d::watermark::mark;
 using wm3d::watermark::mark_file;
 using wm3d::watermark::mark_model;
+using wm3d::watermark::mark_setting;
 using wm3d::watermark::Marked;
 using wm3d::watermark::MarkedFile;
 using wm3d::watermark::MarkedModel;

@@ -232,7 +232,7 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     BenchItem item;
     detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
     if (setting_.search_effort > 0)
-        score.log10_p = std::min(0.0, score.log10_p - std::log10(1 - watermark::search_share));
+        score.log10_p = watermark::beside_search(score.log10_p);
     tell(item, name.mark, examination, score, sequences);
     if (setting_.search_effort > 0 && score.log10_p > log10_searched_pf)
         search(item, name.mark, suspect, examination, sequences);

@@ -302,16 +302,13 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     return marked;
 }
 
-Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
-            const Progress& progress) {
-    const unsigned level = level_of(mesh, key, options); // before any work
+MarkSetting mark_setting(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options) {
+    MarkSetting setting;
+    setting.level = level_of(mesh, key, options);
     if (!(options.visibility > 0 && options.visibility <= 1))
         throw ParameterError(fmt::format("the visibility is {}, but MSDM2 lies above 0 and up to 1, for "
                                          "example 0.1",
                                          options.visibility));
-    const Marker marker(mesh, options.vertices, progress);
-    MarkSetting setting;
-    setting.level = level;
     setting.rmax = options.rmax.value_or(key.parameters().rmax);
     setting.profile = options.profile;
     setting.gamma = options.gamma;
@@ -321,6 +318,13 @@ Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& op
         setting.strength = *options.strength;
     else
         setting.visibility = options.visibility;
+    return setting;
+}
+
+Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+            const Progress& progress) {
+    const MarkSetting setting = mark_setting(mesh, key, options); // before any work
+    const Marker marker(mesh, options.vertices, progress);
     notify(progress, "marking", 0);
     Marked marked = marker.mark(key.secret(), setting);
     if (!marked.msdm2)

@@ -40,17 +40,16 @@ bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptio
 }
 
 /// Whether the mark would be found on the mesh as it is in memory, before a file rounds it.
-bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
+bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& check,
                      const std::vector<Vec3>& positions) {
-    const VerifyOptions check = self_check_options(options, ambiguity_of(mesh));
     return verify(TriangleMesh{positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
 }
 
 /// Whether verify would find the mark, and read what it says, in the file as it would be written.
-bool would_do(const io::Model& model, const key::Key& key, const MarkModelOptions& options) {
-    const VerifyOptions check = self_check_options(options.mark, ambiguity_of(model.mesh()));
+bool would_do(const io::Model& model, const Marker& marker, const key::Key& key,
+              const MarkModelOptions& options, const VerifyOptions& check) {
     try {
-        const Marked marked = mark(model.mesh(), key, options.mark);
+        const Marked marked = marker.mark(key.secret(), mark_setting(model.mesh(), key, options.mark));
         const io::PatchedFiles files =
             model.patched_files(marked.positions, options.output_name, options.normals);
         const VerifyReport report = verify(model.read_back(files).mesh(), key, check);
@@ -82,21 +81,22 @@ double in_two_digits(double size) {
 
 /// A larger size that was tried and does, if there is one: doubled until it does, then a little less.
 std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key::Key& key,
-                                              MarkModelOptions options) {
+                                              MarkModelOptions options, const VerifyOptions& check) {
     constexpr int most_doublings = 5;
     constexpr double most_seen = 0.5; // nobody would want to see more, and each try is a mark
     MarkOptions& mark = options.mark;
     const double most = mark.strength || mark.gamma ? HUGE_VAL : most_seen;
+    const Marker marker(model.mesh(), mark.vertices);
     double too_small = size_of(mark);
     for (int k = 0; k < most_doublings && too_small < most; ++k) {
         size_of(mark) = in_two_digits(std::min(2 * too_small, most));
-        if (!would_do(model, key, options)) {
+        if (!would_do(model, marker, key, options, check)) {
             too_small = size_of(mark);
             continue;
         }
         const MarkOptions enough = mark;
         size_of(mark) = in_two_digits(std::sqrt(too_small * size_of(mark)));
-        return size_of(mark) > too_small && would_do(model, key, options) ? mark : enough;
+        return size_of(mark) > too_small && would_do(model, marker, key, options, check) ? mark : enough;
     }
     return std::nullopt;
 }
@@ -106,7 +106,8 @@ std::string remedy(const io::Model& model, const key::Key& key, const MarkModelO
                    const MarkedModel& result) {
     constexpr double hopeful = -2; // a P_f above 1 % is no verdict
     std::vector<std::string> would_do;
-    if (const auto larger = size_that_would_do(model, key, options))
+    const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
+    if (const auto larger = size_that_would_do(model, key, options, check))
         would_do.push_back(size_option(*larger));
     const double log10_p = result.check.score.log10_p;
     const bool lost = result.loss == Loss::power || result.loss == Loss::storage;
@@ -158,8 +159,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax,
                                     result.check.score.hypotheses);
     } else {
-        result.loss =
-            found_in_memory(mesh, key, options.mark, marked.positions) ? Loss::storage : Loss::power;
+        result.loss = found_in_memory(mesh, key, check, marked.positions) ? Loss::storage : Loss::power;
     }
     return result;
 }

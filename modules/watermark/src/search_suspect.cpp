@@ -317,6 +317,10 @@ SearchResult SuspectSearch::run() {
 
 } // namespace
 
+double beside_search(double log10_p) {
+    return std::min(0.0, log10_p - std::log10(1 - search_share));
+}
+
 SearchResult search_suspect(const Suspect& suspect, const Examination& seen, Sequences& sequences,
                             const SearchEffort& effort, double reference_strength, double log10_pf,
                             const Progress& progress) {

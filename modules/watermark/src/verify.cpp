@@ -247,8 +247,8 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     report.reference_coverage = all.reference_coverage;
     report.largest_opening = largest_opening(suspect.mesh);
     report.score = detect::score_family(all.family, sequences.function());
-    if (may_search(options)) // the search has its share of P_f, whether it will be needed or not
-        report.score.log10_p = std::min(0.0, report.score.log10_p - std::log10(1 - search_share));
+    if (may_search(options))
+        report.score.log10_p = beside_search(report.score.log10_p);
     tell(report, all, key, sequences, options);
     if (may_search(options) && report.verdict != detect::Verdict::present)
         search_further(report, suspect, all, key, sequences, options, progress);

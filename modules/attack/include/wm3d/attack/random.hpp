@@ -5,6 +5,8 @@
 
 #include <cstdint>
 
+#include <wm3d/core/split_mix.hpp>
+
 namespace wm3d::attack {
 
 /// The numbers of one seed and one purpose; number i of the stream is a function of (seed, stream, i) alone.
@@ -12,10 +14,12 @@ namespace wm3d::attack {
 class RandomStream {
 public:
     constexpr RandomStream(std::uint64_t seed, std::uint64_t stream)
-        : base_(mix(mix(seed) + golden * (stream + 1))) {}
+        : base_(split_mix_finalizer(split_mix_finalizer(seed) + split_mix_step * (stream + 1))) {}
 
     /// 64 random bits.
-    constexpr std::uint64_t word(std::uint64_t i) const { return mix(base_ + golden * (i + 1)); }
+    constexpr std::uint64_t word(std::uint64_t i) const {
+        return split_mix_finalizer(base_ + split_mix_step * (i + 1));
+    }
 
     /// A multiple of 2^-53 in [0, 1).
     constexpr double unit(std::uint64_t i) const { return static_cast<double>(word(i) >> 11) * 0x1p-53; }
@@ -31,14 +35,6 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
-
-    static constexpr std::uint64_t mix(std::uint64_t z) {
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
-    }
-
     std::uint64_t base_;
 };
 

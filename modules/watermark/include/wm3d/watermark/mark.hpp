@@ -127,6 +127,10 @@ private:
     std::unique_ptr<Made> made_; ///< what was needed so far
 };
 
+/// What these options ask a Marker of the mesh for.
+/// \throw ParameterError  if the key does not admit the level, or the visibility is out of range
+MarkSetting mark_setting(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options);
+
 /// Marks a mesh: masked moves of all vertices or, on a base domain by MAPS, eq. (3) or a shaped mark and
 /// reconstruction. MSDM2 is measured in any case.
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range

@@ -18,6 +18,10 @@ namespace wm3d::watermark {
 /// first, has the rest. As it is so small, the quick look's p stays what it was to three decimals of log10.
 inline constexpr double search_share = 1e-3;
 
+/// log10 p of a quick look that leaves the search its share, whether that will be needed or not.
+/// \param log10_p  of the look alone
+double beside_search(double log10_p);
+
 /// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing.
 /// Cuts by a plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the
 /// largest hole under the base of a scan such as the Stanford bunny has 0.5 %.
