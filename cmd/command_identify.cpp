@@ -220,7 +220,10 @@ Action declare_identify(CLI::App& app) {
            "How long to search: 1 tries 50 receipts and takes a minute or two on two cores, 0 doesn't [1]")
         ->option_text("E")
         ->check(number_between(0, 1000));
-    app.add_option("--vertices", arguments->options.vertices, "Vertices to simplify the suspect to [20000]")
+    app.add_option(
+           "--vertices", arguments->options.vertices,
+           "Vertices to simplify the suspect to [20000]; where that shows nothing, all of up to 50000 "
+           "are looked at")
         ->option_text("N")
         ->check(number_between(4, 1e8));
     app.footer("Examples:\n  wm3d mark statue.obj -o ann.obj --key shop.key --for Ann\n"

@@ -423,7 +423,10 @@ void add_options(CLI::App& app, VerifyArguments& arguments) {
     app.add_option("--reference", arguments.reference,
                    "The unmarked original: align with it and look at the difference")
         ->option_text("FILE");
-    app.add_option("--vertices", arguments.options.vertices, "Vertices to simplify the suspect to [20000]")
+    app.add_option(
+           "--vertices", arguments.options.vertices,
+           "Vertices to simplify the suspect to [20000]; where that shows nothing, all of up to 50000 "
+           "are looked at")
         ->option_text("N")
         ->check(number_between(4, 1e8));
     app.add_option("--null-keys", arguments.options.null_keys, "Also score N random keys on this mesh")

@@ -19,6 +19,7 @@
 #include <wm3d/payload/uncoded.hpp>
 #include <wm3d/study/bench_log.hpp>
 #include <wm3d/watermark/alignment.hpp>
+#include <wm3d/watermark/closer_look.hpp>
 #include <wm3d/watermark/content_statistic.hpp>
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/search_suspect.hpp>
@@ -35,7 +36,7 @@ std::uint64_t seed_of(std::uint64_t seed, const std::string& text) {
     return attack::RandomStream(seed, hash.value()).word(0);
 }
 
-/// What is asked of a search, and above which the quick look calls for one. Not the probability that the
+/// What is asked of a search, and above which the quick look calls for a closer one and for a search. Not the probability that the
 /// tables ask for, so that they can be made anew for another.
 constexpr double log10_searched_pf = -9;
 
@@ -107,6 +108,9 @@ private:
     void score_wrong_keys(BenchItem& item, const ItemName& name, const watermark::Examination& suspect) const;
     void search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
                 const watermark::Examination& seen, watermark::Sequences& sequences) const;
+    detect::FamilyScore score_of_look(const watermark::Examination& examination,
+                                      const watermark::Suspect& suspect,
+                                      watermark::Sequences& sequences) const;
     AssistedResult assisted(const watermark::Suspect& suspect, const key::Secret& secret) const;
 
     const TriangleMesh& mesh_;
@@ -204,6 +208,18 @@ void ModelBench::tell(BenchItem& item, const MarkName& name, const watermark::Ex
             watermark::content_statistic(examination.family(), score.best.hypothesis, sequences(best.level)));
 }
 
+/// With what else is tried where nothing is found paid for, as verify does.
+detect::FamilyScore ModelBench::score_of_look(const watermark::Examination& examination,
+                                              const watermark::Suspect& suspect,
+                                              watermark::Sequences& sequences) const {
+    detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
+    if (watermark::can_look_closer(suspect))
+        score = watermark::one_of_two_looks(score);
+    if (setting_.search_effort > 0)
+        score.log10_p = watermark::beside_search(score.log10_p);
+    return score;
+}
+
 /// As verify goes on where the quick look found nothing.
 void ModelBench::search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
                         const watermark::Examination& seen, watermark::Sequences& sequences) const {
@@ -230,11 +246,14 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     watermark::Sequences sequences(secret, setting_.parameters.rmax);
 
     BenchItem item;
-    detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
-    if (setting_.search_effort > 0)
-        score.log10_p = watermark::beside_search(score.log10_p);
-    tell(item, name.mark, examination, score, sequences);
-    if (setting_.search_effort > 0 && score.log10_p > log10_searched_pf)
+    tell(item, name.mark, examination, score_of_look(examination, suspect, sequences), sequences);
+    if (watermark::can_look_closer(suspect) && item.log10_p > log10_searched_pf) {
+        const watermark::Examination closer = watermark::look_closer(suspect, examination);
+        const detect::FamilyScore score = score_of_look(closer, suspect, sequences);
+        if (score.log10_p < item.log10_p)
+            tell(item, name.mark, closer, score, sequences);
+    }
+    if (setting_.search_effort > 0 && item.log10_p > log10_searched_pf)
         search(item, name.mark, suspect, examination, sequences);
     item.vertices = mesh.positions.size();
     score_wrong_keys(item, name, examination);

@@ -25,6 +25,7 @@ void try_receipts(IdentifyReport& report, const Suspect& suspect, const key::Key
                   const IdentifyOptions& options, const Progress& progress) {
     VerifyOptions by_receipt = options.verify;
     by_receipt.search = SearchUse::never;
+    by_receipt.look_closer = false;  // at each of what may be a thousand works
     by_receipt.resync = Resync::icp; // the receipt's poses alone
     by_receipt.align_receipt = resync::has_registration();
     const double share = receipts_share / static_cast<double>(options.receipts.size());

@@ -12,6 +12,7 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/search/pose_search.hpp>
+#include <wm3d/watermark/closer_look.hpp>
 #include <wm3d/watermark/content_statistic.hpp>
 #include <wm3d/watermark/null_keys.hpp>
 
@@ -44,6 +45,10 @@ PaperReport paper_report(const Examination& suspect, std::size_t pose, unsigned 
     return report;
 }
 
+detect::Verdict whitened_verdict(const VerifyReport& report, const VerifyOptions& options) {
+    return detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);
+}
+
 void decide_whitened(VerifyReport& report, const Examination& suspect, const key::Key& key,
                      Sequences& sequences, const VerifyOptions& options) {
     // Where the mark is found, the power only illustrates: the filter that found it is enough.
@@ -51,12 +56,14 @@ void decide_whitened(VerifyReport& report, const Examination& suspect, const key
     if (report.score.log10_p <= std::log10(options.pf) &&
         report.score.best.hypothesis < suspect.family().size())
         filter = suspect.family()[report.score.best.hypothesis].filter;
-    report.expected_sigmas =
+    // Of several looks the one that sees most says what would have been missed.
+    report.expected_sigmas = std::max(
+        report.expected_sigmas,
         suspect.expected_sigmas(sequences, default_level(key.parameters(), suspect.base_vertices()),
-                                std::min(key.parameters().reference_strength, usual_strength), 0, filter);
+                                std::min(key.parameters().reference_strength, usual_strength), 0, filter));
     report.predicted_miss =
         detect::predicted_miss(report.expected_sigmas, std::log10(options.pf), report.score.hypotheses);
-    report.verdict = detect::decide(report.score.log10_p, std::log10(options.pf), report.predicted_miss);
+    report.verdict = whitened_verdict(report, options);
 }
 
 /// Eq. (6) word for word. Its own prediction, eq. (5), says whether "absent" can be said.
@@ -77,6 +84,7 @@ void decide_paper(VerifyReport& report, const Examination& suspect, const key::K
 struct Hypotheses {
     Examination suspect;
     std::vector<detect::Hypothesis> family;
+    resync::Ambiguity ambiguity = resync::Ambiguity::none; ///< of the suspect's axes, where they were asked
     std::optional<resync::Registration> registration;
     double reference_coverage = 0;
 };
@@ -111,8 +119,9 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
     }
     if (examination.resync == Resync::icp && examination.poses.empty())
         examination.resync = Resync::pca; // registration failed: the suspect's own axes are all there is
-    Hypotheses result{Examination(mesh, examination, progress), {}, registration, 0};
+    Hypotheses result{Examination(mesh, examination, progress), {}, {}, registration, 0};
     const Examination& suspect = result.suspect;
+    result.ambiguity = suspect.ambiguity();
     result.family = options.detector == Detector::paper
                         ? paper_family(suspect)
                         : std::vector<detect::Hypothesis>(suspect.family().begin(), suspect.family().end());
@@ -140,7 +149,7 @@ bool searched_in_earnest(const VerifyReport& report) {
 }
 
 /// What keeps a report whose verdict is not "present" from saying "absent".
-Doubt doubt(const VerifyReport& report, const Examination& suspect) {
+Doubt doubt(const VerifyReport& report, resync::Ambiguity ambiguity) {
     if (report.verdict == detect::Verdict::present)
         return Doubt::none;
     if (report.registration && !report.registration->aligned)
@@ -151,7 +160,14 @@ Doubt doubt(const VerifyReport& report, const Examination& suspect) {
         return Doubt::none;
     if (report.largest_opening > tolerated_opening)
         return Doubt::opening;
-    return suspect.ambiguity() != resync::Ambiguity::none ? Doubt::axes : Doubt::none;
+    return ambiguity != resync::Ambiguity::none ? Doubt::axes : Doubt::none;
+}
+
+/// Takes "absent" back where it can't be said.
+void settle(VerifyReport& report, resync::Ambiguity ambiguity) {
+    report.doubt = doubt(report, ambiguity);
+    if (report.doubt != Doubt::none)
+        report.verdict = detect::Verdict::inconclusive;
 }
 
 void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
@@ -165,9 +181,7 @@ void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Se
             report.filter = all.suspect.evidence().filter(best.filter);
         decide_whitened(report, all.suspect, key, sequences, options);
     }
-    report.doubt = doubt(report, all.suspect);
-    if (report.doubt != Doubt::none)
-        report.verdict = detect::Verdict::inconclusive;
+    settle(report, all.ambiguity);
 }
 
 /// The report on the best hypothesis of a family whose score is known.
@@ -181,6 +195,11 @@ void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequ
     report.pose_origin = all.suspect.pose(best.pose).origin;
     report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
     decide(report, all, key, sequences, options);
+}
+
+/// Whether the suspect is looked at twice where the first look finds nothing.
+bool may_look_closer(const Suspect& suspect, const VerifyOptions& options) {
+    return options.look_closer && options.detector == Detector::whitened && can_look_closer(suspect);
 }
 
 bool may_search(const VerifyOptions& options) {
@@ -197,6 +216,50 @@ SearchEffort effort_of(const VerifyOptions& options) {
     return effort;
 }
 
+/// The score of a look, with what else may be tried paid for.
+detect::FamilyScore score_of_look(const Hypotheses& look, const Suspect& suspect, Sequences& sequences,
+                                  const VerifyOptions& options) {
+    detect::FamilyScore score = detect::score_family(look.family, sequences.function());
+    if (may_look_closer(suspect, options))
+        score = one_of_two_looks(score);
+    if (may_search(options))
+        score.log10_p = beside_search(score.log10_p);
+    return score;
+}
+
+/// The same hypotheses on all of the suspect's vertices; those of a difference from a reference stay as they are.
+Hypotheses closer_hypotheses(const Suspect& suspect, const Hypotheses& first) {
+    Examination examination = look_closer(suspect, first.suspect);
+    std::vector<detect::Hypothesis> family(examination.family().begin(), examination.family().end());
+    return {std::move(examination), std::move(family), first.ambiguity, first.registration,
+            first.reference_coverage};
+}
+
+/// The report on the second look, or again on the first where that shows more.
+void tell_better(VerifyReport& report, const Hypotheses& first, const Hypotheses& second,
+                 const Suspect& suspect, const key::Key& key, Sequences& sequences,
+                 const VerifyOptions& options) {
+    const detect::FamilyScore of_first = report.score;
+    report.score = score_of_look(second, suspect, sequences, options);
+    const bool better = report.score.log10_p < of_first.log10_p;
+    tell(report, second, key, sequences, options); // for its power, if for nothing else
+    if (better)
+        return;
+    report.score = of_first;
+    tell(report, first, key, sequences, options);
+}
+
+/// Random keys on what the verdict was made from.
+NullReport null_report(const Hypotheses& first, const Hypotheses* second, const Suspect& suspect,
+                       const VerifyOptions& options, const Progress& progress) {
+    std::vector<detect::Hypothesis> tried = first.family;
+    if (second)
+        tried.insert(tried.end(), second->family.begin(), second->family.end());
+    const double share = !second && may_look_closer(suspect, options) ? 0.5 : 1;
+    return score_null_keys(tried, first.suspect.options().rmax, share * options.pf, options.null_keys,
+                           options.null_seed, progress);
+}
+
 void search_further(VerifyReport& report, const Suspect& suspect, const Hypotheses& all, const key::Key& key,
                     Sequences& sequences, const VerifyOptions& options, const Progress& progress) {
     SearchResult found = search_suspect(suspect, all.suspect, sequences, effort_of(options),
@@ -207,9 +270,10 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
         report.score = found.hit->score;
         Examination& there = *found.hit->examination;
         std::vector<detect::Hypothesis> family(there.family().begin(), there.family().end());
-        tell(report, {std::move(there), std::move(family), {}, 0}, key, sequences, options);
+        tell(report, {std::move(there), std::move(family), {}, {}, 0}, key, sequences, options);
     } else {
-        decide(report, all, key, sequences, options); // a search that found nothing may dispel a doubt
+        report.verdict = whitened_verdict(report, options);
+        settle(report, all.ambiguity); // a search that found nothing may dispel a doubt
     }
 }
 
@@ -246,16 +310,19 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
     report.largest_opening = largest_opening(suspect.mesh);
-    report.score = detect::score_family(all.family, sequences.function());
-    if (may_search(options))
-        report.score.log10_p = beside_search(report.score.log10_p);
+    report.score = score_of_look(all, suspect, sequences, options);
     tell(report, all, key, sequences, options);
+    std::optional<Hypotheses> closer;
+    if (may_look_closer(suspect, options) && report.verdict != detect::Verdict::present) {
+        notify(progress, "looking closer", 0);
+        closer.emplace(closer_hypotheses(suspect, all));
+        tell_better(report, all, *closer, suspect, key, sequences, options);
+    }
     if (may_search(options) && report.verdict != detect::Verdict::present)
         search_further(report, suspect, all, key, sequences, options, progress);
     report.payload = read_payload(report, key, options);
     if (options.null_keys > 0)
-        report.null = score_null_keys(all.family, all.suspect.options().rmax, options.pf, options.null_keys,
-                                      options.null_seed, progress);
+        report.null = null_report(all, closer ? &*closer : nullptr, suspect, options, progress);
     return report;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <wm3d/watermark/alignment.hpp>
+#include <wm3d/watermark/closer_look.hpp>
 #include <wm3d/watermark/content_statistic.hpp>
 #include <wm3d/watermark/defaults.hpp>
 #include <wm3d/watermark/examination.hpp>

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  A second look at a suspect where the first, at fewer vertices, finds nothing.
+#pragma once
+
+#include <cstddef>
+
+#include <wm3d/detect/family.hpp>
+#include <wm3d/watermark/examination.hpp>
+
+namespace wm3d::watermark {
+
+/// Suspects of more vertices are examined on a simplified copy alone: a closer look at them would take long,
+/// and what spoils a mark of so many vertices hardly spoils it less on all of them.
+inline constexpr std::size_t most_examined = 50'000;
+
+/// Whether a closer look shows more: the first was at a copy with fewer vertices, and all are not too many.
+/// Known before any key is looked at, so that the price of both looks can be fixed.
+bool can_look_closer(const Suspect& suspect);
+
+/// The suspect on all of its vertices, in the poses of the first look.
+/// \pre  can_look_closer(suspect)
+Examination look_closer(const Suspect& suspect, const Examination& first);
+
+/// The score of one of two looks with as many hypotheses each: both are paid for, made or not.
+detect::FamilyScore one_of_two_looks(detect::FamilyScore score);
+
+} // namespace wm3d::watermark
