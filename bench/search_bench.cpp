@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file  Measures what the search of all poses takes, and what it says of wrong keys, for docs/resync.md.
-/// Usage: search_bench [places|levels|absent|keys|peer|picture]... [TRIALS]; the models are looked for in
+/// Usage: search_bench [places|levels|absent|keys|peer|picture|openings]... [TRIALS]; the models are looked for in
 /// WM3D_MESHES. Times are of the processor, over all threads. How often it finds marks: search_rates.
 
 #include <algorithm>
@@ -22,6 +22,7 @@
 #include <wm3d/key/stream.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/topology.hpp>
 #include <wm3d/search.hpp>
 #include <wm3d/shapes/shapes.hpp>
 #include <wm3d/shapes/turned.hpp>
@@ -175,6 +176,35 @@ void places(std::size_t trials) {
     }
 }
 
+/// Borders of scans, and of scans less a part: their openings, and how flat the surface goes on around them.
+void openings(std::size_t trials) {
+    const auto row = [](const std::string& name, const std::string& copy, const TriangleMesh& mesh) {
+        const double surface = surface_area(mesh);
+        std::vector<BorderLoop> loops = border_loops(mesh);
+        std::ranges::stable_sort(loops, std::greater{}, [](const BorderLoop& l) { return l.opening.norm(); });
+        std::string text;
+        for (std::size_t k = 0; k < std::min<std::size_t>(loops.size(), 6); ++k)
+            text += fmt::format("{}{:.3f} % ({:.2f})", k > 0 ? ", " : "",
+                                100 * loops[k].opening.norm() / surface, loops[k].flatness());
+        fmt::print("| {} | {} | {} | {} |\n", name, copy, loops.size(), text);
+    };
+    fmt::print("| model | copy | borders | opening in % of the surface (flatness of its rim) "
+               "|\n|---|---|---|---|\n");
+    for (const char* name : {"stanford-bunny.obj", "horse.ply", "nefertiti.obj", "igea.ply", "rocker-arm.obj",
+                             "fandisk.obj", "spot.obj", "DamagedHelmet.glb", "thing-73416.stl"}) {
+        const TriangleMesh mesh = load(name);
+        row(name, "whole", mesh);
+        for (const char* attack : {"noise:0.1", "noise:0.3", "smoothing:30", "simplification:90"})
+            row(name, attack, attack::apply(mesh, attack::parse(attack), 1));
+        for (const char* percent : {"2", "5", "10"})
+            for (std::uint64_t seed = 1; seed <= trials; ++seed) {
+                const TriangleMesh cut =
+                    attack::apply(mesh, attack::parse(fmt::format("cropping:{}", percent)), seed);
+                row(name, fmt::format("less {} %, {}", percent, seed), cut);
+            }
+    }
+}
+
 /// The same search of one centre by trying one rotation after the other, of which `trials` are timed.
 void peer(std::size_t trials) {
     const TriangleMesh mesh = load(scans.front());
@@ -315,9 +345,9 @@ void picture(std::size_t trials) {
 } // namespace
 
 int main(int argc, char** argv) {
-    const std::map<std::string, void (*)(std::size_t)> all{{"places", places}, {"levels", levels},
-                                                           {"absent", absent}, {"keys", keys},
-                                                           {"peer", peer},     {"picture", picture}};
+    const std::map<std::string, void (*)(std::size_t)> all{
+        {"places", places}, {"levels", levels},   {"absent", absent},    {"keys", keys},
+        {"peer", peer},     {"picture", picture}, {"openings", openings}};
     std::size_t trials = 3;
     std::vector<std::string> chosen;
     for (int k = 1; k < argc; ++k) {
@@ -326,7 +356,8 @@ int main(int argc, char** argv) {
         else if (const int number = std::atoi(argv[k]); number > 0)
             trials = static_cast<std::size_t>(number);
         else {
-            fmt::print(stderr, "usage: search_bench [places|levels|absent|keys|peer|picture]... [TRIALS]\n");
+            fmt::print(stderr,
+                       "usage: search_bench [places|levels|absent|keys|peer|picture|openings]... [TRIALS]\n");
             return 2;
         }
     }

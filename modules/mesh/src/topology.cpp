@@ -17,17 +17,20 @@ namespace {
 struct Side {
     Index low, high;
     bool forward;
+    Index triangle;
 };
 
 /// Calls visit(side) for the sides of all triangles.
 template<typename Visitor>
 void for_each_side(const TriangleMesh& mesh, Visitor&& visit) {
-    for (const Triangle& t : mesh.triangles)
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const Triangle& t = mesh.triangles[f];
         for (std::size_t k = 0; k < 3; ++k) {
             const Index a = t[k], b = t[(k + 1) % 3];
             if (a != b)
-                visit(Side{std::min(a, b), std::max(a, b), a < b});
+                visit(Side{std::min(a, b), std::max(a, b), a < b, static_cast<Index>(f)});
         }
+    }
 }
 
 /// The sides of all triangles in ascending order, so those of one edge together.
@@ -155,12 +158,16 @@ std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
         ++loop.edges;
         const double length = (b - a).norm();
         loop.length += length;
+        loop.rim += length * area_vector(mesh, s.triangle).stableNormalized();
         loop.centre += length * (a + b) / 2;                   // of length times place, from the origin
         loop.opening += (s.forward ? -0.5 : 0.5) * a.cross(b); // what closes it walks the edge the other way
     }
-    for (std::size_t k = 0; k < loops.size(); ++k)
-        loops[k].centre =
-            origins[k] + (loops[k].length > 0 ? Vec3(loops[k].centre / loops[k].length) : Vec3::Zero());
+    for (std::size_t k = 0; k < loops.size(); ++k) {
+        BorderLoop& loop = loops[k];
+        const double per_length = loop.length > 0 ? 1 / loop.length : 0;
+        loop.centre = origins[k] + per_length * loop.centre;
+        loop.rim *= per_length;
+    }
     return loops;
 }
 

@@ -2,6 +2,7 @@
 #include <wm3d/mesh/topology.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -13,6 +14,23 @@ namespace {
 
 TriangleMesh tetrahedron() {
     return {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+}
+
+/// Between a circle of 24 vertices and another, `height` above it.
+TriangleMesh strip(double radius, double upper_radius, double height) {
+    constexpr Index n = 24;
+    TriangleMesh mesh;
+    for (const bool upper : {false, true})
+        for (Index k = 0; k < n; ++k) {
+            const double r = upper ? upper_radius : radius, angle = 2 * std::numbers::pi * k / n;
+            mesh.positions.emplace_back(r * std::cos(angle), r * std::sin(angle), upper ? height : 0);
+        }
+    for (Index k = 0; k < n; ++k) {
+        const Index next = (k + 1) % n;
+        mesh.triangles.push_back({k, next, n + next});
+        mesh.triangles.push_back({k, n + next, n + k});
+    }
+    return mesh;
 }
 
 } // namespace
@@ -92,6 +110,16 @@ TEST_CASE("the opening of a border is the area vector that is missing") {
     CHECK((loops[0].opening - missing).norm() < 1e-10);
     CHECK((loops[0].centre - Vec3(100, 200, -300) - Vec3::Constant(1 / 3.0)).norm() < 1e-10);
     CHECK(border_loops(tetrahedron()).empty());
+}
+
+TEST_CASE("the rim of a hole is flat, that of a tube's end is not") {
+    const std::vector<BorderLoop> tube = border_loops(strip(1, 1, 1)), ring = border_loops(strip(2, 1, 0));
+    REQUIRE(tube.size() == 2);
+    for (const BorderLoop& end : tube)
+        CHECK(std::abs(end.flatness()) < 1e-12);
+    REQUIRE(ring.size() == 2);
+    CHECK(ring[0].flatness() == doctest::Approx(-1)); // the outline: what closes it lies on the back
+    CHECK(ring[1].flatness() == doctest::Approx(1));  // the hole
 }
 
 TEST_CASE("a crack is a border that opens nothing, and every part has borders of its own") {

@@ -42,6 +42,17 @@ std::vector<Place> places_within(double limit, double edge, const Vec3& outwards
     return places;
 }
 
+/// Borders whose rim is less flat than this end a limb, or a patch by itself where it is flat and negative. The
+/// flattest of the cuts through legs, ears and horns has 0.5, the least flat of the bunny's five holes 0.65
+/// (after simplification; docs/algorithm.md, section 9).
+constexpr double flat_rim = 0.55;
+
+/// What an opening tells of where something is missing: little if the surface goes on around it.
+double weight(const BorderLoop& loop) {
+    constexpr double least = 0.02; // for a lone cap that was cut off a sphere
+    return loop.opening.norm() * std::max(least, 1 - loop.flatness());
+}
+
 } // namespace
 
 Outline outline(const TriangleMesh& mesh) {
@@ -50,16 +61,17 @@ Outline outline(const TriangleMesh& mesh) {
     Outline result;
     result.centroid = encloses ? moments.solid.centroid : moments.surface.centroid;
     result.radius = mean_radius(mesh, result.centroid);
-    double largest = 0, all = 0;
-    Vec3 out = Vec3::Zero(), there = Vec3::Zero(); // of areas, and of areas times places
+    double all = 0;
+    Vec3 out = Vec3::Zero(), there = Vec3::Zero(); // of weights, and of weights times places
     for (const BorderLoop& loop : border_loops(mesh)) {
-        const double area = loop.opening.norm();
-        largest = std::max(largest, area);
-        all += area;
-        out += loop.opening;
-        there += area * (loop.centre - result.centroid) / result.radius;
+        const double area = loop.opening.norm() / moments.surface.area, w = weight(loop);
+        result.opening = std::max(result.opening, area);
+        if (std::abs(loop.flatness()) < flat_rim)
+            result.stump = std::max(result.stump, area);
+        all += w;
+        out += w * loop.opening.stableNormalized();
+        there += w * (loop.centre - result.centroid) / result.radius;
     }
-    result.opening = largest / moments.surface.area;
     constexpr double share_of_normal = 0.1; // enough where the places tell nothing
     const Vec3 axis = there + (moments.solid.volume < 0 ? -share_of_normal : share_of_normal) * out;
     if (all > 0 && axis.norm() > 0)
@@ -70,7 +82,8 @@ Outline outline(const TriangleMesh& mesh) {
 std::vector<Vec3> centres(const Outline& outline, std::size_t count, const CentreOptions& options) {
     if (count == 0)
         return {};
-    const Vec3 outwards = outline.opening >= options.least_opening ? outline.outwards : Vec3::Zero();
+    const bool open = outline.opening >= options.least_opening || outline.stump >= options.least_stump;
+    const Vec3 outwards = open ? outline.outwards : Vec3::Zero();
     const double edge = options.covering * 4 / std::sqrt(5.0); // of a body-centred cubic lattice
     // The region's volume grows with the cube of its limit.
     double limit = edge * std::cbrt(3.0 * static_cast<double>(count) / (8 * std::numbers::pi));

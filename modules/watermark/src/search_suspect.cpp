@@ -43,6 +43,7 @@ enum class Extent {
 /// A piece of the suspect that is examined as if it were all.
 struct Piece {
     const Suspect& suspect;
+    search::Outline outline;
     std::optional<std::size_t> number; ///< none: the suspect itself
     Extent extent = Extent::none;
 };
@@ -52,7 +53,7 @@ struct Units {
     search::Outline outline;
     TriangleMesh base;
 
-    explicit Units(const Suspect& suspect) : outline(search::outline(suspect.mesh)), base(suspect.base) {
+    explicit Units(const Piece& piece) : outline(piece.outline), base(piece.suspect.base) {
         if (!(outline.radius > 0))
             throw GeometryError("all of the surface lies in one point, so it has no pose to search for");
         for (Vec3& p : base.positions)
@@ -72,7 +73,7 @@ public:
     SearchResult run();
 
 private:
-    Extent extent(const Suspect& piece, const Examination& seen) const;
+    Extent extent(const search::Outline& outline, const Examination& seen) const;
     double pairs_for(const Piece& piece, double wide) const;
     bool look_at_mirror_image();
     bool look_at_piece(Piece& piece);
@@ -155,7 +156,7 @@ bool SuspectSearch::look_at_piece(Piece& piece) {
     options.resync = Resync::pca;
     options.poses.clear();
     auto examination = std::make_unique<Examination>(piece.suspect, options, progress_);
-    piece.extent = extent(piece.suspect, *examination);
+    piece.extent = extent(piece.outline, *examination);
     const std::size_t best =
         detect::score_family(examination->family(), sequences_.function()).best.hypothesis;
     const Frame frame = examination->pose(examination->family()[best].pose).frame;
@@ -254,7 +255,7 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
 }
 
 bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
-    const Units units(piece.suspect);
+    const Units units(piece);
     const detect::Evidence evidence(units.base, seen_.options().evidence);
     search::SearchOptions options;
     options.filter = std::min(options.filter, evidence.filters() - 1);
@@ -273,8 +274,8 @@ bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
     return outcome.accepted;
 }
 
-Extent SuspectSearch::extent(const Suspect& piece, const Examination& seen) const {
-    if (effort_.asked || search::outline(piece.mesh).opening > tolerated_opening)
+Extent SuspectSearch::extent(const search::Outline& outline, const Examination& seen) const {
+    if (effort_.asked || may_be_part(outline))
         return Extent::all;
     return seen.ambiguity() == resync::Ambiguity::none ? Extent::none : Extent::own;
 }
@@ -283,7 +284,8 @@ Extent SuspectSearch::extent(const Suspect& piece, const Examination& seen) cons
 double SuspectSearch::pairs_for(const Piece& piece, double wide) const {
     if (piece.extent == Extent::own)
         return pairs_about_own_centre;
-    const bool whole = search::outline(piece.suspect.mesh).opening < search::CentreOptions{}.least_opening;
+    const bool whole =
+        !may_be_part(piece.outline) && piece.outline.opening < search::CentreOptions{}.least_opening;
     return std::min(pairs_of_effort_one / wide, whole ? pairs_of_whole : pairs_of_effort_one);
 }
 
@@ -295,8 +297,9 @@ SearchResult SuspectSearch::run() {
         suspects.push_back(simplify_suspect(part, seen_.options().vertices, progress_));
     std::vector<Piece> order;
     for (std::size_t k = 0; k < suspects.size(); ++k)
-        order.push_back({suspects[k], k});
-    order.push_back({suspect_, {}, extent(suspect_, seen_)});
+        order.push_back({suspects[k], search::outline(suspects[k].mesh), k});
+    const search::Outline outline = search::outline(suspect_.mesh);
+    order.push_back({suspect_, outline, {}, extent(outline, seen_)});
     piece_count_ = order.size();
     result_.report.pieces = order.size();
 
@@ -304,9 +307,8 @@ SearchResult SuspectSearch::run() {
     for (std::size_t k = 0; k + 1 < order.size() && !found; ++k)
         found = look_at_piece(order[k]);
     const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
-    const bool open = std::ranges::any_of(order, [](const Piece& piece) {
-        return piece.extent == Extent::all && search::outline(piece.suspect.mesh).opening > tolerated_opening;
-    });
+    const bool open = std::ranges::any_of(
+        order, [](const Piece& piece) { return piece.extent == Extent::all && may_be_part(piece.outline); });
     result_.report.complete = effort_.effort >= (open ? exhaustive_effort : 1);
     for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
         if (order[k].extent != Extent::none)
@@ -316,6 +318,11 @@ SearchResult SuspectSearch::run() {
 }
 
 } // namespace
+
+bool may_be_part(const search::Outline& outline) {
+    constexpr double tolerated_opening = 0.006;
+    return outline.opening > tolerated_opening || outline.stump > search::CentreOptions{}.least_stump;
+}
 
 double beside_search(double log10_p) {
     return std::min(0.0, log10_p - std::log10(1 - search_share));

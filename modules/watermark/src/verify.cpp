@@ -9,8 +9,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/detect/tail.hpp>
-#include <wm3d/mesh/measure.hpp>
-#include <wm3d/mesh/topology.hpp>
+#include <wm3d/search/centres.hpp>
 #include <wm3d/search/pose_search.hpp>
 #include <wm3d/watermark/closer_look.hpp>
 #include <wm3d/watermark/content_statistic.hpp>
@@ -133,14 +132,6 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
     return result;
 }
 
-/// The widest border's area over the whole surface's.
-double largest_opening(const TriangleMesh& mesh) {
-    double largest = 0;
-    for (const BorderLoop& loop : border_loops(mesh))
-        largest = std::max(largest, loop.opening.norm());
-    return largest / surface_area(mesh);
-}
-
 /// Whether a mark of the usual strength would have come out of the search, but for one in a hundred.
 bool searched_in_earnest(const VerifyReport& report) {
     constexpr double one_in_a_hundred = 2.33;
@@ -158,7 +149,7 @@ Doubt doubt(const VerifyReport& report, resync::Ambiguity ambiguity) {
         return Doubt::power;
     if (report.registration || searched_in_earnest(report))
         return Doubt::none;
-    if (report.largest_opening > tolerated_opening)
+    if (report.may_be_part)
         return Doubt::opening;
     return ambiguity != resync::Ambiguity::none ? Doubt::axes : Doubt::none;
 }
@@ -309,7 +300,9 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     VerifyReport report;
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
-    report.largest_opening = largest_opening(suspect.mesh);
+    const search::Outline outline = search::outline(suspect.mesh);
+    report.largest_opening = outline.opening;
+    report.may_be_part = may_be_part(outline);
     report.score = score_of_look(all, suspect, sequences, options);
     tell(report, all, key, sequences, options);
     std::optional<Hypotheses> closer;

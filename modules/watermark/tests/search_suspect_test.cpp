@@ -118,6 +118,29 @@ TEST_CASE("an unmarked part of something is not called present, nor absent witho
     CHECK_FALSE(report.search->pose);
 }
 
+TEST_CASE("a cut through a thin limb is taken for one however small it is, and a hole for a hole") {
+    TriangleMesh whole = shapes::blob(6000, 9);
+    for (Vec3& p : whole.positions) // a limb along x
+        p *= 1 + 1.5 * std::exp(-std::pow(std::acos(p.normalized().x()) / 0.05, 2));
+    CHECK_FALSE(look(whole, 0).may_be_part);
+
+    const VerifyReport report = look(cut(whole, Vec3::UnitX(), 1.8), 0.005);
+    CHECK(report.largest_opening > 0.001);
+    CHECK(report.largest_opening < 0.006);
+    CHECK(report.may_be_part);
+    CHECK(report.verdict == detect::Verdict::inconclusive);
+    REQUIRE(report.search);
+    CHECK(report.search->centres > 0);
+
+    TriangleMesh hole = whole;
+    std::erase_if(hole.triangles, [&](const Triangle& t) {
+        return std::ranges::any_of(t, [&](Index v) { return hole.positions[v].normalized().z() < -0.99; });
+    });
+    const VerifyReport with_hole = look(hole, 0);
+    CHECK(with_hole.largest_opening > 0.001);
+    CHECK_FALSE(with_hole.may_be_part);
+}
+
 TEST_CASE("suspects with nothing to search end in an honest verdict") {
     const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const TriangleMesh needle{{{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}, {0, 0, 1e-6}},

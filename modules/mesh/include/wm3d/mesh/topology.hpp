@@ -34,6 +34,11 @@ struct BorderLoop {
     Vec3 centre = Vec3::Zero(); ///< of its edges, by their lengths
     /// Area vector of any surface that closes the loop; near 0 for a crack.
     Vec3 opening = Vec3::Zero();
+    /// Mean unit normal of the triangles along it, by the lengths of its edges.
+    Vec3 rim = Vec3::Zero();
+
+    /// 1 for a hole in a flat surface, 0 for the end of a tube, negative where the surface turns inwards.
+    double flatness() const { return rim.dot(opening.stableNormalized()); }
 };
 
 /// The borders of a mesh as it is indexed, in the order of their lowest vertices.

@@ -17,6 +17,9 @@ struct Outline {
     /// lie about the centroid, out of them. Zero if there is no opening to speak of.
     Vec3 outwards = Vec3::Zero();
     double opening = 0; ///< area that would close the largest border, relative to the surface
+    /// The same of the largest border that ends a limb: the surface runs towards it and not around it, as where a
+    /// limb was cut through. The holes that scanners leave lie in a surface that goes on around them.
+    double stump = 0;
 };
 
 /// \throw GeometryError  if the mesh has no area
@@ -25,6 +28,7 @@ Outline outline(const TriangleMesh& mesh);
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
     double least_opening = 0.002; ///< relative area from which an opening tells a direction
+    double least_stump = 0.0005;  ///< the same of a stump
     double wide = 0.6; ///< angle from the opening's axis at which a place counts as twice as far, radians
 };
 

@@ -9,6 +9,7 @@
 #include <wm3d/core/progress.hpp>
 #include <wm3d/detect/family.hpp>
 #include <wm3d/mesh/frame.hpp>
+#include <wm3d/search/centres.hpp>
 #include <wm3d/search/pose.hpp>
 #include <wm3d/watermark/examination.hpp>
 
@@ -22,10 +23,10 @@ inline constexpr double search_share = 1e-3;
 /// \param log10_p  of the look alone
 double beside_search(double log10_p);
 
-/// Area of the largest opening, relative to the whole surface, above which a part is taken to be missing.
-/// Cuts by a plane that remove 5 % of a closed model leave more, unless they pass through a thin limb; the
-/// largest hole under the base of a scan such as the Stanford bunny has 0.5 %.
-inline constexpr double tolerated_opening = 0.006;
+/// Whether a part may be missing: an opening of more than 0.6 % of the surface, or of more than 0.05 % where a
+/// limb ends. Cuts by a plane that remove 2 % of a closed model leave the one or the other; the largest hole
+/// under the base of a scan such as the Stanford bunny has 0.5 %, and its rim is flat.
+bool may_be_part(const search::Outline& outline);
 
 struct SearchEffort {
     /// 1 tries 6000 pairs of a centre and a sequence on a suspect that may be cut, in a minute or two on two
