@@ -390,6 +390,8 @@ using wm3d::watermark::IdentifyOptions;
 using wm3d::watermark::IdentifyReport;
 using wm3d::watermark::IssuedCopy;
 using wm3d::watermark::KnownPose;
+using wm3d::watermark::largest_parts;
+using wm3d::watermark::LargestParts;
 using wm3d::watermark::look_closer;
 using wm3d::watermark::Loss;
 using wm3d::watermark::make_receipt;

@@ -9,6 +9,7 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/resync/smoothing_trend.hpp>
 #include <wm3d/sphere/half_turns.hpp>
+#include <wm3d/watermark/pieces.hpp>
 
 namespace wm3d::watermark {
 
@@ -17,6 +18,9 @@ namespace {
 /// A suspect of fewer vertices may have been simplified with new places for its vertices.
 constexpr std::size_t coarse_vertices = 6000;
 constexpr std::size_t cell_samples = 30000;
+/// Parts by themselves keep three vertices at least, so of a cloud of triangles nothing can be simplified away.
+constexpr std::size_t most_base_vertices = 60'000;
+constexpr double least_telling = 0.5; ///< part of a surface
 
 std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
     for (Vec3& direction : directions)
@@ -54,7 +58,8 @@ Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const P
     simplify::Options options;
     options.target_vertices = vertices;
     simplify::Result simplified = simplify::simplify(mesh, options, progress);
-    return {mesh, std::move(simplified.mesh), simplified.stop};
+    LargestParts parts = largest_parts(std::move(simplified.mesh), std::max(vertices, most_base_vertices));
+    return {mesh, std::move(parts.mesh), simplified.stop, parts.telling};
 }
 
 Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options, const Progress& progress)
@@ -63,7 +68,7 @@ Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options
 Examination::Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress)
     : options_(std::move(options)), finest_(std::ranges::max(options_.levels)),
       base_vertices_(suspect.base.positions.size()), diagonal_(surface_box(suspect.mesh).diagonal()),
-      stop_(suspect.stop) {
+      stop_(suspect.stop), telling_(suspect.telling) {
     notify(progress, "examining the surface", 0);
     make_poses(suspect, progress);
     for (View& view : views_)
@@ -195,6 +200,8 @@ void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, st
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,
                                     std::optional<std::size_t> filter) const {
+    if (telling_ < least_telling)
+        return 0;
     const double move = strength / 100 * diagonal_ / view(pose).frame.scale;
     const detect::Evidence& seen = evidence(pose);
     const sphere::SparseRows weights = rows(pose, level);

@@ -136,4 +136,34 @@ std::vector<TriangleMesh> pieces(const TriangleMesh& mesh, const PieceOptions& o
     return result;
 }
 
+LargestParts largest_parts(TriangleMesh mesh, std::size_t most_vertices) {
+    std::vector<Part> parts = connected_parts(mesh);
+    const auto hangs_together = [](const Part& part) { return part.triangles.size() > 1; };
+    const auto area_of = [&](auto first, auto last) {
+        return std::accumulate(first, last, 0.0, [&](double sum, const Part& part) {
+            return hangs_together(part) ? sum + part.area : sum;
+        });
+    };
+    const double whole = surface_area(mesh);
+    if (mesh.positions.size() <= most_vertices)
+        return {std::move(mesh), whole > 0 ? area_of(parts.begin(), parts.end()) / whole : 0};
+    std::ranges::stable_partition(parts, hangs_together);
+    if (!parts.empty() && hangs_together(parts.front()))
+        std::erase_if(parts, std::not_fn(hangs_together));
+    std::vector<Index> triangles;
+    std::vector<bool> used(mesh.positions.size(), false);
+    std::size_t vertices = 0, count = 0;
+    for (; count < parts.size() && vertices < most_vertices; ++count)
+        for (const Index f : parts[count].triangles) {
+            triangles.push_back(f);
+            for (const Index v : mesh.triangles[f]) {
+                vertices += used[v] ? 0 : 1;
+                used[v] = true;
+            }
+        }
+    std::ranges::sort(triangles);
+    const auto end = parts.begin() + static_cast<std::ptrdiff_t>(count);
+    return {extracted(mesh, triangles), whole > 0 ? area_of(parts.begin(), end) / whole : 0};
+}
+
 } // namespace wm3d::watermark

@@ -248,7 +248,7 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
     ExaminationOptions options = seen_.options();
     options.resync = Resync::icp;
     options.poses = {{frame, "search"}};
-    const Suspect undeformed{mesh, std::move(base), piece.suspect.stop};
+    const Suspect undeformed{mesh, std::move(base), piece.suspect.stop, piece.suspect.telling};
     const double log10_price = lattice_.log10_size(pose.deformation) + std::log10(3) +
                                std::log10(static_cast<double>(piece_count_)) - log10_half_share;
     return take(std::make_unique<Examination>(undeformed, options), log10_price, std::move(found));
@@ -311,7 +311,7 @@ SearchResult SuspectSearch::run() {
         order, [](const Piece& piece) { return piece.extent == Extent::all && may_be_part(piece.outline); });
     result_.report.complete = effort_.effort >= (open ? exhaustive_effort : 1);
     for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
-        if (order[k].extent != Extent::none)
+        if (order[k].extent != Extent::none && order[k].suspect.telling > 0)
             found = search_piece(order[k], effort_.effort * pairs_for(order[k], static_cast<double>(wide)));
     result_.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);

@@ -46,4 +46,24 @@ TEST_CASE("one piece is no scene, and a cloud of triangles ends") {
     for (int k = 0; k < 100000; ++k)
         append(cloud, one, Vec3(2.0 * k, 0, 0));
     CHECK(pieces(cloud).empty());
+    const LargestParts some = largest_parts(cloud, 3000);
+    CHECK(some.mesh.positions.size() == 3000);
+    CHECK(some.telling == 0);
+}
+
+TEST_CASE(
+    "of many parts the largest are looked at, and triangles by themselves only where there is nothing else") {
+    TriangleMesh mesh;
+    append(mesh, {{{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, {{0, 1, 2}}}, Vec3(0, 0, 9));
+    append(mesh, shapes::sphere(1, 8), Vec3(0, 0, 0));
+    append(mesh, shapes::sphere(2, 8), Vec3(10, 0, 0));
+    const double single = 40.5, whole = surface_area(mesh);
+    const LargestParts all = largest_parts(mesh, mesh.positions.size());
+    CHECK(all.mesh.triangles == mesh.triangles);
+    CHECK(all.telling == doctest::Approx(1 - single / whole));
+    const LargestParts one = largest_parts(mesh, 10);
+    CHECK(one.mesh.triangles.size() == shapes::sphere(2, 8).triangles.size());
+    CHECK(surface_box(one.mesh).min.x() == doctest::Approx(8));
+    CHECK(one.telling == doctest::Approx(surface_area(one.mesh) / whole));
+    CHECK(largest_parts({}, 5).telling == 0);
 }

@@ -141,6 +141,25 @@ TEST_CASE("a cut through a thin limb is taken for one however small it is, and a
     CHECK_FALSE(with_hole.may_be_part);
 }
 
+TEST_CASE("a marked model in loose triangles is not called absent, however many they are") {
+    const TriangleMesh whole = marked(shapes::blob(17000, 3));
+    TriangleMesh loose;
+    for (const Triangle& t : whole.triangles) {
+        const Vec3 centre = (whole.positions[t[0]] + whole.positions[t[1]] + whole.positions[t[2]]) / 3;
+        const auto first = static_cast<Index>(loose.positions.size());
+        for (const Index v : t) // no two corners in one place
+            loose.positions.push_back(centre + 0.99 * (whole.positions[v] - centre));
+        loose.triangles.push_back({first, first + 1, first + 2});
+    }
+    REQUIRE(loose.positions.size() > 100'000);
+    const VerifyReport report = look(loose);
+    CHECK(report.verdict == detect::Verdict::inconclusive);
+    CHECK(report.doubt == Doubt::power);
+    CHECK(report.base_vertices < 61'000);
+    REQUIRE(report.search);
+    CHECK(report.search->centres == 0); // loose triangles have no residual to search
+}
+
 TEST_CASE("suspects with nothing to search end in an honest verdict") {
     const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const TriangleMesh needle{{{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}, {0, 0, 1e-6}},

@@ -49,8 +49,10 @@ struct Suspect {
     const TriangleMesh& mesh;
     TriangleMesh base;
     simplify::Stop stop = simplify::Stop::reached;
+    double telling = 1; ///< part of its surface that is in the base and can show a mark: LargestParts
 };
 
+/// Of a mesh of so many parts that simplification leaves more than 60,000 vertices, the largest parts are kept.
 Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
 
 /// Everything about a suspect that no key is needed for. Poses share the evidence as far as they can.
@@ -63,6 +65,7 @@ public:
     const ExaminationOptions& options() const { return options_; }
     std::size_t base_vertices() const { return base_vertices_; }
     simplify::Stop stop() const { return stop_; }
+    double telling() const { return telling_; }
 
     /// What the suspect's own axes leave open, where they were asked.
     resync::Ambiguity ambiguity() const { return ambiguity_; }
@@ -77,7 +80,7 @@ public:
 
     /// Expected score, in standard deviations, of the best filter for a mark of this level whose
     /// area-weighted RMS normal move is `strength` % of the bounding box's diagonal; with `filter`, in that
-    /// filter alone.
+    /// filter alone. 0 where less than half of the surface can show a mark.
     double expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose = 0,
                            std::optional<std::size_t> filter = {}) const;
 
@@ -126,6 +129,7 @@ private:
     std::size_t base_vertices_ = 0;
     double diagonal_ = 0; ///< of the suspect's box
     simplify::Stop stop_ = simplify::Stop::reached;
+    double telling_ = 1;
     resync::Ambiguity ambiguity_ = resync::Ambiguity::none;
     std::vector<View> views_;
     std::vector<Pose> poses_;
