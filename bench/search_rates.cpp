@@ -36,7 +36,6 @@ struct Trial {
     bool visible = false; ///< marked to a visibility of 0.10, else shaped at a strength of 0.08 %
     std::uint64_t seed = 0;
     std::function<TriangleMesh(const TriangleMesh& marked, std::uint64_t seed)> attack;
-    watermark::SearchUse use = watermark::SearchUse::when_needed;
     bool mirrored = false; ///< and to be said so
 
     std::string name() const {
@@ -87,14 +86,12 @@ std::vector<Trial> all_trials() {
             if (seed > key_count)
                 continue;
             for (const char* text : {"scale:1.02,z=0.98", "bend:5"})
-                trials.push_back(
-                    {text, "igea.ply", visible, seed, attacked(text), watermark::SearchUse::always});
+                trials.push_back({text, "igea.ply", visible, seed, attacked(text)});
             for (const char* name : {"vase", "gear", "disc"})
                 trials.push_back({"turned", name, visible, seed, attacked("file")});
             for (const std::string& name : scans)
                 trials.push_back({"mirrored", name, visible, seed,
-                                  [](const TriangleMesh& m, std::uint64_t) { return mirrored(m); },
-                                  watermark::SearchUse::when_needed, true});
+                                  [](const TriangleMesh& m, std::uint64_t) { return mirrored(m); }, true});
         }
     return trials;
 }
@@ -164,7 +161,6 @@ const TriangleMesh& Rates::marked(const Trial& trial) {
 void Rates::make(const Trial& trial, double effort) {
     const TriangleMesh copy = moved(trial.attack(marked(trial), trial.seed), trial.seed);
     watermark::VerifyOptions options;
-    options.search = trial.use;
     options.effort = effort;
     const Searched found = searched(copy, key(trial.key()), options);
     const auto& search = found.report.search;

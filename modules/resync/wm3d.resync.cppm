@@ -103,6 +103,7 @@ using wm3d::resync::frames_before_smoothing;
 using wm3d::resync::has_registration;
 using wm3d::resync::Hierarchy;
 using wm3d::resync::HierarchyOptions;
+using wm3d::resync::least_gap;
 using wm3d::resync::LevelFrame;
 using wm3d::resync::make_hierarchy;
 using wm3d::resync::make_template;

@@ -103,6 +103,10 @@ void add_turns(FrameList& list, const FrameEstimate& estimate, int axis, double 
 
 } // namespace
 
+double least_gap(const Vec3& moments) {
+    return std::min(relative_gap(moments, 0, 1), relative_gap(moments, 1, 2));
+}
+
 Frame with_signs_of(const Frame& frame, const Frame& like) {
     const std::array<Frame, 4> choices = sign_choices(frame);
     return *std::ranges::min_element(

@@ -97,6 +97,7 @@ void Examination::add_principal_poses(const Suspect& suspect, const Progress& pr
     for (Substance substance : hierarchy.moments.possible_substances()) {
         const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, hierarchy, substance);
         ambiguity_ = std::max(ambiguity_, estimate.ambiguity);
+        moment_gap_ = std::min(moment_gap_, resync::least_gap(estimate.moments));
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
         for (const resync::CandidatePose& before :

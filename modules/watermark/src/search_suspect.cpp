@@ -25,6 +25,8 @@ constexpr double pairs_of_effort_one = 6000; ///< of a centre and a sequence
 constexpr double exhaustive_effort = 4;
 constexpr double pairs_of_whole = 1000; ///< of what has no opening: its centre can't be far away
 constexpr double pairs_about_own_centre = 24;
+/// Relative distance of two moments below which a stretch of 2 % can turn the axes by more than 6 degrees.
+constexpr double steady_gap = 0.2;
 /// Of the lattices of centres, in mean radii. At the usual strength a centre 0.03 off still shows a mark
 /// clearly; a centre 0.045 off shows most, for a third of the time.
 constexpr double wide_covering = 0.045, fine_covering = 0.03;
@@ -36,6 +38,7 @@ const double log10_half_share = std::log10(search_share / 2);
 /// Which centres of a piece are searched.
 enum class Extent {
     none, ///< its own axes are clear and nothing was cut off
+    near, ///< around its own, at the likeliest levels, as a deformation may have turned its axes
     own,  ///< around its own, as its axes are unclear
     all,  ///< wherever its openings suggest
 };
@@ -203,6 +206,8 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
         {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).first(soon)}};
     if (levels.size() > 1)
         result.push_back({levels[1], &key(levels[1]), false, first(0.35).first(soon)});
+    if (piece.extent == Extent::near)
+        return result;
     result.push_back(
         {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).subspan(soon)});
     if (levels.size() > 1)
@@ -260,6 +265,8 @@ bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
     search::SearchOptions options;
     options.filter = std::min(options.filter, evidence.filters() - 1);
     options.deformation = effort_.deformation;
+    if (piece.extent == Extent::near)
+        options.finalists = 2;
     const double expected_here = expected(units, evidence, piece.suspect);
     SearchReport& report = result_.report;
     report.expected_sigmas =
@@ -277,12 +284,14 @@ bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
 Extent SuspectSearch::extent(const search::Outline& outline, const Examination& seen) const {
     if (effort_.asked || may_be_part(outline))
         return Extent::all;
-    return seen.ambiguity() == resync::Ambiguity::none ? Extent::none : Extent::own;
+    if (seen.ambiguity() != resync::Ambiguity::none)
+        return Extent::own;
+    return seen.moment_gap() < steady_gap ? Extent::near : Extent::none;
 }
 
 /// Pairs of a centre and a sequence that a piece gets, if `wide` of them are searched everywhere.
 double SuspectSearch::pairs_for(const Piece& piece, double wide) const {
-    if (piece.extent == Extent::own)
+    if (piece.extent != Extent::all)
         return pairs_about_own_centre;
     const bool whole =
         !may_be_part(piece.outline) && piece.outline.opening < search::CentreOptions{}.least_opening;

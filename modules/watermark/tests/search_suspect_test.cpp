@@ -109,6 +109,31 @@ TEST_CASE("a shape whose axes are unclear is found") {
     CHECK(look(gear, 1).verdict == detect::Verdict::present);
 }
 
+TEST_CASE(
+    "a shape whose axes a small stretch turns is found, and absent from it is said without a long search") {
+    TriangleMesh shape = shapes::blob(6000, 3);
+    for (Vec3& p : shape.positions)
+        p = p.cwiseProduct(Vec3(1, 1.3, 1.36));
+    REQUIRE(Examination(shape, {}).ambiguity() == resync::Ambiguity::none);
+    REQUIRE(Examination(shape, {}).moment_gap() < 0.2);
+    TriangleMesh stretched = marked(shape);
+    const Mat3 stretch = Vec3(1, 1.02, 0.98).asDiagonal();
+    const Mat3 aslant = Eigen::AngleAxisd(0.7, Vec3(1, 0.3, -0.4).normalized()).toRotationMatrix();
+    for (Vec3& p : stretched.positions)
+        p = aslant.transpose() * stretch * aslant * p;
+    turn(stretched);
+    VerifyOptions by_axes;
+    by_axes.search = SearchUse::never;
+    CHECK(verify(stretched, test_key(), by_axes).verdict != detect::Verdict::present);
+    const VerifyReport report = look(stretched, 1);
+    CHECK(report.verdict == detect::Verdict::present);
+    CHECK(report.pose_origin == "search");
+
+    const VerifyReport unmarked = look(shape, 1);
+    REQUIRE(unmarked.search);
+    CHECK(unmarked.search->centres <= 48);
+}
+
 TEST_CASE("an unmarked part of something is not called present, nor absent without a search") {
     TriangleMesh part = cut(shapes::blob(3000, 9), Vec3::UnitX(), 0.3);
     const VerifyReport report = look(part, 0.01);

@@ -22,6 +22,9 @@ struct HierarchyOptions {
     double ambiguous_gap = 0.01;
 };
 
+/// Least relative distance of two of three moments in descending order.
+double least_gap(const Vec3& moments);
+
 /// What the moments leave open.
 enum class Ambiguity {
     none,  ///< three clearly different axes

@@ -70,6 +70,10 @@ public:
     /// What the suspect's own axes leave open, where they were asked.
     resync::Ambiguity ambiguity() const { return ambiguity_; }
 
+    /// Least relative distance of two of the suspect's moments, where its axes were asked: the smaller, the more
+    /// a deformation turns them.
+    double moment_gap() const { return moment_gap_; }
+
     std::size_t poses() const { return poses_.size(); }
     const resync::CandidatePose& pose(std::size_t pose) const { return poses_[pose].candidate; }
     const detect::Evidence& evidence(std::size_t pose = 0) const { return *view(pose).evidence; }
@@ -131,6 +135,7 @@ private:
     simplify::Stop stop_ = simplify::Stop::reached;
     double telling_ = 1;
     resync::Ambiguity ambiguity_ = resync::Ambiguity::none;
+    double moment_gap_ = 1;
     std::vector<View> views_;
     std::vector<Pose> poses_;
     std::vector<detect::Hypothesis> family_;
