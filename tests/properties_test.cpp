@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 #include <wm3d/core/error.hpp>
+#include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/io.hpp>
 #include <wm3d/shapes/contour.hpp>
 #include <wm3d/shapes/shapes.hpp>
@@ -193,25 +194,6 @@ TriangleMesh generated(std::uint64_t seed, std::string& history) {
     return mesh;
 }
 
-Vec3 area_vector(const std::vector<Vec3>& p, const Triangle& t) {
-    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-}
-
-/// Smallest height over longest edge: 0.87 of an equilateral triangle.
-double shape_of(const std::vector<Vec3>& p, const Triangle& t) {
-    const double longest =
-        std::max({(p[t[1]] - p[t[0]]).norm(), (p[t[2]] - p[t[1]]).norm(), (p[t[0]] - p[t[2]]).norm()});
-    return longest > 0 ? area_vector(p, t).norm() / (longest * longest) : 0;
-}
-
-std::size_t turned_faces(const TriangleMesh& before, const std::vector<Vec3>& after) {
-    constexpr double sliver = 0.05;
-    return static_cast<std::size_t>(std::ranges::count_if(before.triangles, [&](const Triangle& t) {
-        return shape_of(before.positions, t) > sliver &&
-               area_vector(before.positions, t).dot(area_vector(after, t)) <= 0;
-    }));
-}
-
 bool one_sentence(const std::string& text) {
     return text.size() > 20 && text.find('\n') == std::string::npos;
 }
@@ -232,7 +214,7 @@ void check_marked(const io::Model& model, const watermark::MarkedModel& result, 
     CHECK(result.check.verdict == detect::Verdict::present);
     CHECK((written.mesh().triangles == model.mesh().triangles));
     CHECK(std::ranges::all_of(written.mesh().positions, [](const Vec3& p) { return p.allFinite(); }));
-    const std::size_t turned = turned_faces(model.mesh(), written.mesh().positions);
+    const std::size_t turned = embed::turned_faces(model.mesh(), written.mesh().positions).size();
     CHECK(turned == 0);
     counts.turned += turned;
     ++counts.marked;

@@ -159,6 +159,9 @@ using wm3d::embed::Distortion;
 using wm3d::embed::distortion;
 using wm3d::embed::mark_base;
 using wm3d::embed::marked_radius;
+using wm3d::embed::sliver_shape;
+using wm3d::embed::turn_back;
+using wm3d::embed::turned_faces;
 } // namespace wm3d::embed
 
 export namespace wm3d::io {

@@ -11,6 +11,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/detect/verdict.hpp>
+#include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/shaping/shaping.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
@@ -296,7 +297,11 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.gamma = strength / layout.unit;
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
-    marked.positions = in_file(layout.positions(strength));
+    std::vector<Vec3> positions = layout.positions(strength);
+    const bool gave_way = embed::turn_back(canonical_, positions) > 0;
+    marked.positions = in_file(positions);
+    if (gave_way && marked.msdm2)
+        marked.msdm2 = budget().visible(marked.positions);
     marked.distortion = embed::distortion(mesh_, marked.positions);
     marked.positions = in_given_order(marked.positions);
     return marked;
