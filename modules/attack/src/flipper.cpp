@@ -50,13 +50,13 @@ Flipper::Quad Flipper::quad(Index h) const {
 bool Flipper::is_delaunay(Index h) const {
     if (twin_[h] == no_index)
         return true;
-    const auto [a, b, c, d] = quad(h);
+    const Quad q = quad(h);
     const auto cotangent = [&](Index apex) {
-        const Vec3 u = mesh_.positions[a] - mesh_.positions[apex];
-        const Vec3 v = mesh_.positions[b] - mesh_.positions[apex];
+        const Vec3 u = mesh_.positions[q.a] - mesh_.positions[apex];
+        const Vec3 v = mesh_.positions[q.b] - mesh_.positions[apex];
         return u.dot(v) / u.cross(v).norm();
     };
-    return !(cotangent(c) + cotangent(d) < -1e-9); // cot x + cot y < 0 where x + y > 180 degrees
+    return !(cotangent(q.c) + cotangent(q.d) < -1e-9); // cot x + cot y < 0 where x + y > 180 degrees
 }
 
 bool Flipper::is_flat(const Quad& q) const {
