@@ -179,7 +179,8 @@ class Kills(InFolder):
         old, new = states
         self.assertEqual(sorted(old), ["m.bin", "m.gltf", "r"])
         died = 0
-        for round_ in range(KILLS):
+        rounds = max(3, KILLS * 2 // 3)
+        for round_ in range(rounds):
             for name, data in old.items():
                 (work / name).write_bytes(data)
             how = signal.SIGKILL if round_ % 4 else self.random.choice((signal.SIGTERM, signal.SIGINT, signal.SIGHUP))
@@ -194,7 +195,7 @@ class Kills(InFolder):
             self.assertIn(fresh, ([False] * 3, [True] * 3), "a mixed set")
             outside_ = {name: data for name, data in contents(self.folder).items() if not name.startswith("work/")}
             self.assertEqual(outside_, inputs)
-        counted(f"mark: {KILLS} kills, {died} in time, no file lost or mixed, no temporary file")
+        counted(f"mark: {rounds} kills, {died} in time, no file lost or mixed, no temporary file")
 
     def test_resume(self):
         log, seconds = self.folder / "trials", None
@@ -204,7 +205,7 @@ class Kills(InFolder):
         self.assertEqual(expected.returncode, 0, expected.stderr)
         seconds = time.monotonic() - started
         kills = died = 0
-        while kills < max(3, KILLS // 3):
+        while kills < max(3, KILLS // 6):
             kills += 1
             died += self.run_and_kill([*command, "--resume", log], seconds, signal.SIGKILL) < 0
             if log.exists():
@@ -230,13 +231,15 @@ class Kills(InFolder):
         table = (out / "summary.csv").read_bytes() if (out / "summary.csv").exists() else None
         shutil.rmtree(out)
         kills = died = 0
-        while kills < max(3, KILLS // 3):
+        while kills < max(3, KILLS // 6):
             kills += 1
             died += self.run_and_kill(command, seconds, signal.SIGKILL) < 0
-        self.assertEqual(wm3d(*command).returncode, 0)
-        if table is not None:
-            self.assertEqual((out / "summary.csv").read_bytes(), table)
-        self.assertFalse(list(out.rglob(".wm3d*")))
+            if kills % 3 == 0:  # enough of them have left nothing to do
+                self.assertEqual(wm3d(*command).returncode, 0)
+                if table is not None:
+                    self.assertEqual((out / "summary.csv").read_bytes(), table)
+                self.assertFalse(list(out.rglob(".wm3d*")))
+                shutil.rmtree(out)
         counted(f"bench: {kills} kills, {died} in time, same table as without")
 
 
