@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(std::string_view word) {
+std::string escaped(std::string_view word) {
     std::string text;
     for (const char c : word)
         text += fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
@@ -27,7 +27,7 @@ void write(const fs::path& folder, std::string_view target) {
         std::ofstream(folder / target / fmt::format("seed-{}", number++), std::ios::binary) << bytes;
     std::ofstream dictionary(folder / fmt::format("{}.dict", target));
     for (const std::string& word : wm3d::fuzz::words(target))
-        dictionary << quoted(word);
+        dictionary << escaped(word);
 }
 
 } // namespace

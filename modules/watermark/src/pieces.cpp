@@ -147,7 +147,7 @@ LargestParts largest_parts(TriangleMesh mesh, std::size_t most_vertices) {
     const double whole = surface_area(mesh);
     if (mesh.positions.size() <= most_vertices)
         return {std::move(mesh), whole > 0 ? area_of(parts.begin(), parts.end()) / whole : 0};
-    std::ranges::stable_partition(parts, hangs_together);
+    std::stable_partition(parts.begin(), parts.end(), hangs_together);
     if (!parts.empty() && hangs_together(parts.front()))
         std::erase_if(parts, std::not_fn(hangs_together));
     std::vector<Index> triangles;
