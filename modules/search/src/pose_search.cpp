@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numbers>
 
@@ -26,6 +27,20 @@ struct Prepared {
     Prepared(const Target& t, unsigned bandwidth)
         : target(t), harmonics(t.key->harmonics(bandwidth)), smooth(t.key->smoothed(2)) {}
 };
+
+/// Like std::ranges::max, in as many lanes as a machine may have.
+float largest_of(std::span<const float> values) {
+    constexpr std::size_t lanes = 16;
+    std::array<float, lanes> largest;
+    largest.fill(-std::numeric_limits<float>::infinity());
+    std::size_t i = 0;
+    for (; i + lanes <= values.size(); i += lanes)
+        for (std::size_t k = 0; k < lanes; ++k)
+            largest[k] = values[i + k] > largest[k] ? values[i + k] : largest[k];
+    for (; i < values.size(); ++i)
+        largest[0] = std::max(largest[0], values[i]);
+    return std::ranges::max(largest);
+}
 
 class Searcher {
 public:
@@ -90,9 +105,9 @@ Searcher::Found Searcher::best_rotation(const Prepared& prepared, const Vec3& ce
     std::array<std::size_t, 3> at{};
     const std::size_t n = correlation_.samples();
     correlation_(f, prepared.harmonics, [&](std::size_t b, std::span<const float> values) {
-        const auto largest = std::ranges::max_element(values);
-        if (*largest > best) {
-            best = *largest;
+        if (const float highest = largest_of(values); highest > best) {
+            best = highest;
+            const auto largest = std::ranges::find(values, highest);
             const auto place = static_cast<std::size_t>(largest - values.begin());
             at = {place / n, b, place % n};
         }

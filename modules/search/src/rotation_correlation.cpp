@@ -19,34 +19,34 @@ namespace {
 
 using std::numbers::pi;
 
-/// Columns of m' that are summed before they are written: one line of the cache.
-constexpr std::size_t tile = 8;
+/// Angles beta that are summed together: a vector of the machine. Neighbours mirror each other in pi / 2, as the
+/// sums of one are those of the other for the opposite order.
+constexpr std::size_t lanes = 8;
+/// Orders m whose sums lie in one line of the cache.
+constexpr unsigned tile = 8;
 
-/// For each of the angles, adds up d[l][angle] times the four numbers x[l]. The compiler may use wider
-/// vectors where the machine has them: each angle's sum stays in the same order.
+/// Adds up d[l][lane] times the eight numbers x[l]. The compiler may use wider vectors where the machine has
+/// them: each sum stays in the same order.
 template<typename Real>
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
 __attribute__((target_clones("avx2", "default")))
 #endif
-void accumulate(const Real* d, std::size_t degrees, std::size_t angles, const Real* x, Real* sums) {
-    constexpr std::size_t lanes = 16;
-    for (std::size_t begin = 0; begin < angles; begin += lanes) {
-        std::array<Real, lanes> s0{}, s1{}, s2{}, s3{};
-        for (std::size_t l = 0; l < degrees; ++l) {
-            const Real* row = d + l * angles + begin;
-            const Real x0 = x[4 * l], x1 = x[4 * l + 1], x2 = x[4 * l + 2], x3 = x[4 * l + 3];
-            for (std::size_t k = 0; k < lanes; ++k) {
-                s0[k] += row[k] * x0;
-                s1[k] += row[k] * x1;
-                s2[k] += row[k] * x2;
-                s3[k] += row[k] * x3;
-            }
+void accumulate(const Real* d, std::size_t degrees, const Real* x, Real* sums) {
+    std::array<Real, lanes> s0{}, s1{}, s2{}, s3{}, s4{}, s5{}, s6{},
+        s7{}; // by themselves, so each is one vector
+    for (std::size_t l = 0; l < degrees; ++l, d += lanes, x += 8)
+        for (std::size_t k = 0; k < lanes; ++k) {
+            s0[k] += d[k] * x[0];
+            s1[k] += d[k] * x[1];
+            s2[k] += d[k] * x[2];
+            s3[k] += d[k] * x[3];
+            s4[k] += d[k] * x[4];
+            s5[k] += d[k] * x[5];
+            s6[k] += d[k] * x[6];
+            s7[k] += d[k] * x[7];
         }
-        std::copy_n(s0.data(), lanes, sums + begin);
-        std::copy_n(s1.data(), lanes, sums + angles + begin);
-        std::copy_n(s2.data(), lanes, sums + 2 * angles + begin);
-        std::copy_n(s3.data(), lanes, sums + 3 * angles + begin);
-    }
+    for (const std::array<Real, lanes>& s : {s0, s1, s2, s3, s4, s5, s6, s7})
+        sums = std::copy_n(s.data(), lanes, sums);
 }
 
 } // namespace
@@ -56,22 +56,35 @@ template<typename Real>
 struct RotationCorrelation<Real>::Tables {
     using Complex = std::complex<Real>;
     unsigned bandwidth;
-    std::size_t samples, angles;    ///< angles: samples, and some more so that they fill whole vectors
-    std::vector<std::size_t> start; ///< of the block (m, n), number m (m + 1) / 2 + n
-    std::vector<Real> d;            ///< blocks of (bandwidth - m) by angles
+    std::size_t samples, bands; ///< bands of angles: band k has 4 k, its mirror image, 4 k + 1, ...
+
+    /// A pair of orders m >= n, and where its degrees m to bandwidth - 1 begin.
+    struct Orders {
+        unsigned m, n;
+        std::size_t start;
+    };
+    std::vector<Orders> orders; ///< in the order of the work
+    std::size_t rows = 0;       ///< degrees of all orders
+    std::vector<Real> d;        ///< #bands by #rows by #lanes
     FftwPlan<Real> angles_of_slice;
 
     Tables(unsigned b, unsigned n);
 
     std::size_t row_length() const { return samples / 2 + 1; }
-    std::size_t slice_length() const { return samples * row_length(); }
-    void sum_degrees(const Harmonics& f, const Harmonics& w, Complex* slices) const;
+    /// Of a slice of one angle, so that every slice is aligned as the plan expects.
+    std::size_t stride() const { return (samples * row_length() + 7) / 8 * 8; }
+    /// The angle of a lane; `samples` or more if there is none.
+    std::size_t angle(std::size_t band, std::size_t lane) const {
+        const std::size_t k = band * lanes / 2 + lane / 2;
+        return 2 * k >= samples ? samples : lane % 2 == 0 ? k : samples - 1 - k;
+    }
+    std::vector<Real> products(const Harmonics& f, const Harmonics& w) const;
+    void sum_degrees(std::size_t band, const std::vector<Real>& products, Complex* slices) const;
 
 private:
     static typename Fftw<Real>::Plan plan(std::size_t samples);
-    void fill_block(unsigned m, unsigned n);
-    void sum_pair(const Harmonics& f, const Harmonics& w, unsigned m, unsigned n, std::vector<Real>& x,
-                  Real* sums) const;
+    void list_orders();
+    void fill_band(std::size_t band);
 };
 
 template<typename Real>
@@ -85,76 +98,76 @@ typename Fftw<Real>::Plan RotationCorrelation<Real>::Tables::plan(std::size_t sa
 
 template<typename Real>
 RotationCorrelation<Real>::Tables::Tables(unsigned b, unsigned n)
-    : bandwidth(b), samples(n), angles((samples + 15) / 16 * 16), angles_of_slice(plan(samples)) {
-    std::size_t size = 0;
-    for (unsigned m = 0; m < bandwidth; ++m)
-        for (unsigned k = 0; k <= m; ++k) {
-            start.push_back(size);
-            size += (bandwidth - m) * angles;
+    : bandwidth(b), samples(n), bands((samples + lanes - 1) / lanes), angles_of_slice(plan(samples)) {
+    list_orders();
+    d.resize(bands * rows * lanes);
+    parallel_blocks(bands, 1, [&](std::size_t band, std::size_t) { fill_band(band); });
+}
+
+template<typename Real>
+void RotationCorrelation<Real>::Tables::list_orders() {
+    for (unsigned first = 0; first < bandwidth; first += tile)
+        for (unsigned n = 0; n < std::min(first + tile, bandwidth); ++n)
+            for (unsigned m = std::max(first, n); m < std::min(first + tile, bandwidth); ++m) {
+                orders.push_back({m, n, rows});
+                rows += bandwidth - m;
+            }
+}
+
+template<typename Real>
+void RotationCorrelation<Real>::Tables::fill_band(std::size_t band) {
+    for (std::size_t lane = 0; lane < lanes && angle(band, lane) < samples; ++lane) {
+        const double beta =
+            pi * (static_cast<double>(angle(band, lane)) + 0.5) / static_cast<double>(samples);
+        for (const auto& [m, n, start] : orders) {
+            Real* block = d.data() + (band * rows + start) * lanes + lane;
+            wigner_d(bandwidth, m, n, beta,
+                     [&](unsigned l, double value) { block[(l - m) * lanes] = static_cast<Real>(value); });
         }
-    d.resize(size);
-    parallel_blocks(bandwidth, 1, [&](std::size_t m, std::size_t) {
-        for (unsigned k = 0; k <= m; ++k)
-            fill_block(static_cast<unsigned>(m), k);
-    });
-}
-
-template<typename Real>
-void RotationCorrelation<Real>::Tables::fill_block(unsigned m, unsigned n) {
-    Real* block = d.data() + start[std::size_t{m} * (m + 1) / 2 + n];
-    for (std::size_t b = 0; b < samples; ++b) {
-        const double beta = pi * (static_cast<double>(b) + 0.5) / static_cast<double>(samples);
-        wigner_d(bandwidth, m, n, beta,
-                 [&](unsigned l, double value) { block[(l - m) * angles + b] = static_cast<Real>(value); });
     }
 }
 
-/// The sums over l for orders (m, n) and (-m, n): their real and imaginary parts, #angles each. The latter
-/// come from d^l_-m,n(beta) = (-1)^(l - n) d^l_mn(pi - beta), so their angles run backwards.
+/// conj(w_lm) f_lm' for each row of the table: real and imaginary parts, conjugated, for the orders (m, n), (-m, n),
+/// (n, m) and (-n, m). Those of negative order belong to d^l_-m,n(beta) = (-1)^(l - n) d^l_mn(pi - beta).
 template<typename Real>
-void RotationCorrelation<Real>::Tables::sum_pair(const Harmonics& f, const Harmonics& w, unsigned m,
-                                                 unsigned n, std::vector<Real>& x, Real* sums) const {
-    const unsigned high = std::max(m, n), low = std::min(m, n);
-    const double transposed = m < n && (n - m) % 2 == 1 ? -1 : 1;
-    x.resize(std::size_t{4} * (bandwidth - high));
-    for (unsigned l = high; l < bandwidth; ++l) {
-        const std::complex<double> of_f = transposed * std::conj(f(l, n));
-        const std::complex<double> positive = w(l, m) * of_f;
-        const std::complex<double> negative = ((l + n + m) % 2 == 0 ? 1.0 : -1.0) * std::conj(w(l, m)) * of_f;
-        Real* place = x.data() + std::size_t{4} * (l - high);
-        place[0] = static_cast<Real>(positive.real());
-        place[1] = static_cast<Real>(positive.imag());
-        place[2] = static_cast<Real>(negative.real());
-        place[3] = static_cast<Real>(negative.imag());
-    }
-    accumulate(d.data() + start[std::size_t{high} * (high + 1) / 2 + low], bandwidth - high, angles, x.data(),
-               sums);
-}
-
-/// The conjugate of sum over l of conj(w_lm) f_lm' d^l_mm'(beta), slice by slice of beta: rows m modulo
-/// samples, columns m' from 0.
-template<typename Real>
-void RotationCorrelation<Real>::Tables::sum_degrees(const Harmonics& f, const Harmonics& w,
-                                                    Complex* slices) const {
-    std::vector<Real> sums(tile * 4 * angles), x;
-    for (unsigned m = 0; m < bandwidth; ++m)
-        for (unsigned first = 0; first < bandwidth; first += tile) {
-            const unsigned end = std::min<unsigned>(first + tile, bandwidth);
-            for (unsigned n = first; n < end; ++n)
-                sum_pair(f, w, m, n, x, sums.data() + (n - first) * 4 * angles);
-            for (std::size_t b = 0; b < samples; ++b) {
-                Complex* positive = slices + b * slice_length() + m * row_length() + first;
-                Complex* negative =
-                    slices + b * slice_length() + (samples - m) % samples * row_length() + first;
-                for (unsigned n = 0; n < end - first; ++n) {
-                    const Real* s = sums.data() + n * 4 * angles;
-                    const std::size_t back = samples - 1 - b;
-                    if (m > 0)
-                        negative[n] = Complex(s[2 * angles + back], s[3 * angles + back]);
-                    positive[n] = Complex(s[b], s[angles + b]);
-                }
+std::vector<Real> RotationCorrelation<Real>::Tables::products(const Harmonics& f, const Harmonics& w) const {
+    std::vector<Real> result(8 * rows);
+    for (const auto& [m, n, start] : orders)
+        for (unsigned l = m; l < bandwidth; ++l) {
+            const double transposed = (m - n) % 2 == 1 ? -1 : 1, mirrored = (l + n + m) % 2 == 0 ? 1 : -1;
+            const std::complex<double> of_n = std::conj(f(l, n)), of_m = transposed * std::conj(f(l, m));
+            const std::array<std::complex<double>, 4> x{w(l, m) * of_n, mirrored * std::conj(w(l, m)) * of_n,
+                                                        w(l, n) * of_m, mirrored * std::conj(w(l, n)) * of_m};
+            Real* place = result.data() + 8 * (start + l - m);
+            for (std::size_t k = 0; k < x.size(); ++k) {
+                place[2 * k] = static_cast<Real>(x[k].real());
+                place[2 * k + 1] = static_cast<Real>(x[k].imag());
             }
         }
+    return result;
+}
+
+/// The conjugate of sum over l of conj(w_lm) f_lm' d^l_mm'(beta) for the angles of a band, slice by slice: rows
+/// m modulo samples, columns m' from 0.
+template<typename Real>
+void RotationCorrelation<Real>::Tables::sum_degrees(std::size_t band, const std::vector<Real>& products,
+                                                    Complex* slices) const {
+    std::fill_n(slices, lanes * stride(), Complex{}); // orders that aren't there
+    std::array<Real, 8 * lanes> s{};
+    for (const auto& [m, n, start] : orders) {
+        accumulate(d.data() + (band * rows + start) * lanes, bandwidth - m, products.data() + 8 * start,
+                   s.data());
+        for (std::size_t lane = 0; lane < lanes; ++lane) {
+            Complex* slice = slices + lane * stride();
+            const std::size_t back = lane ^ 1; // the angle pi - beta
+            if (m > 0)
+                slice[(samples - m) * row_length() + n] = {s[2 * lanes + back], s[3 * lanes + back]};
+            slice[m * row_length() + n] = {s[lane], s[lanes + lane]};
+            if (n > 0)
+                slice[(samples - n) * row_length() + m] = {s[6 * lanes + back], s[7 * lanes + back]};
+            slice[n * row_length() + m] = {s[4 * lanes + lane], s[5 * lanes + lane]};
+        }
+    }
 }
 
 template<typename Real>
@@ -190,15 +203,16 @@ template<typename Real>
 void RotationCorrelation<Real>::operator()(const Harmonics& f, const Harmonics& w, const Visit& visit) const {
     using Complex = typename Tables::Complex;
     const Tables& t = *tables_;
-    const FftwArray<Complex> slices(t.samples * t.slice_length());
-    std::fill_n(slices.get(), t.samples * t.slice_length(), Complex{}); // orders that aren't there
-    t.sum_degrees(f, w, slices.get());
+    const std::vector<Real> products = t.products(f, w);
+    const FftwArray<Complex> slices(lanes * t.stride());
     const FftwArray<Real> values(t.samples * t.samples);
-    const FftwArray<Complex> slice(t.slice_length()); // aligned as the plan expects
-    for (std::size_t b = 0; b < t.samples; ++b) {
-        std::copy_n(slices.get() + b * t.slice_length(), t.slice_length(), slice.get());
-        t.angles_of_slice(reinterpret_cast<typename Fftw<Real>::Complex*>(slice.get()), values.get());
-        visit(b, {values.get(), t.samples * t.samples});
+    for (std::size_t band = 0; band < t.bands; ++band) {
+        t.sum_degrees(band, products, slices.get());
+        for (std::size_t lane = 0; lane < lanes && t.angle(band, lane) < t.samples; ++lane) {
+            Complex* slice = slices.get() + lane * t.stride();
+            t.angles_of_slice(reinterpret_cast<typename Fftw<Real>::Complex*>(slice), values.get());
+            visit(t.angle(band, lane), {values.get(), t.samples * t.samples});
+        }
     }
 }
 

@@ -31,7 +31,7 @@ public:
     /// The rotation at alpha = 2 pi a / samples, beta = pi (b + 1/2) / samples, gamma = 2 pi c / samples.
     Mat3 rotation(std::size_t a, std::size_t b, std::size_t c) const;
 
-    /// Called with b and T of all (a, c): number a * samples + c.
+    /// Called with each b, in no order to rely on, and T of all (a, c): number a * samples + c.
     using Visit = std::function<void(std::size_t b, std::span<const Real> values)>;
 
     /// On the calling thread.
