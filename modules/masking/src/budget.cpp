@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 namespace wm3d::masking {
 
@@ -33,22 +33,53 @@ void hold_around(std::vector<char>& still, const TriangleMesh& mesh, const std::
                 still[v] = 1;
 }
 
+/// Windows that stand for all, each for an equal share of the sum of cubes of the local distances: what that
+/// sum grows to when a mark changes is told by few of them, wherever it comes from.
+class WeightyWindows {
+public:
+    WeightyWindows(const metrics::Msdm2Sample& all, std::size_t shares) {
+        const auto cube = [](double x) { return x * x * x; };
+        double total = 0, passed = 0, next = 0.5;
+        for (double x : all.local)
+            total += cube(x);
+        for (std::size_t i = 0; i < all.local.size(); ++i) {
+            passed += cube(all.local[i]);
+            double shares_here = 0;
+            for (; next * total < passed * static_cast<double>(shares); ++next)
+                ++shares_here;
+            if (!(shares_here > 0))
+                continue;
+            vertices_.push_back(all.vertices[i]);
+            before_.push_back(all.local[i]);
+            shares_.push_back(shares_here);
+        }
+    }
+
+    const std::vector<Index>& vertices() const { return vertices_; }
+
+    /// What Minkowski's mean over all windows grows by where the local distances at `vertices` become `now`.
+    double growth(std::span<const double> now) const {
+        double sum = 0, all = 0;
+        for (std::size_t k = 0; k < before_.size(); ++k) {
+            sum += shares_[k] * std::pow(now[k] / before_[k], 3);
+            all += shares_[k];
+        }
+        return std::cbrt(sum / all);
+    }
+
+private:
+    std::vector<Index> vertices_;
+    std::vector<double> before_, shares_; ///< local distances, and how many shares each stands for
+};
+
 } // namespace
 
 Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options)
     : mesh_(mesh), options_(options), tree_(mesh), msdm2_(tree_) {}
 
-/// Windows at vertices of the moved mesh; all of them, and exactly, where they are not more.
+/// Windows at vertices of the moved mesh, all of them where they are not more.
 metrics::Msdm2Sample Budget::look(const std::vector<Vec3>& positions, std::size_t windows) const {
-    const TriangleMesh marked{positions, mesh_.triangles};
-    if (positions.size() > windows)
-        return msdm2_.sample(marked, windows);
-    metrics::Msdm2Sample all;
-    all.local = msdm2_.field(marked);
-    all.mean = metrics::msdm2_mean(marked, all.local);
-    all.vertices.resize(positions.size());
-    std::iota(all.vertices.begin(), all.vertices.end(), Index{0});
-    return all;
+    return msdm2_.sample({positions, mesh_.triangles}, windows);
 }
 
 std::size_t Budget::final_windows() const {
@@ -60,48 +91,67 @@ double Budget::visible(const std::vector<Vec3>& positions) const {
 }
 
 Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
-    Fit fit;
-    fit.strength = guess;
-    if (mesh_.positions.size() > options_.rough_windows) {
-        constexpr double near = 0.03; // of the budget
-        approach(fit, mark, budget, options_.rough_windows, near);
-        if (!(fit.strength > 0))
-            fit.strength = guess;
+    const auto seen_through = [&](std::size_t windows) {
+        return [&, windows](double strength) { return look(mark(strength), windows).mean; };
+    };
+    if (mesh_.positions.size() > final_windows())
+        budget *= 1 - options_.sampling_margin;
+    if (mesh_.positions.size() <= options_.rough_windows)
+        return approach(seen_through(final_windows()), {guess}, budget, options_.tolerance);
+    constexpr double near = 0.03; // of the budget
+    Fit fit = approach(seen_through(options_.rough_windows), {guess}, budget, near);
+    if (!(fit.strength > 0))
+        fit.strength = guess;
+    return approach_from_full_look(mark, fit, budget);
+}
+
+/// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
+/// where that is far.
+Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
+    constexpr double near = 0.25; // in the logarithm of the strength
+    for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
+        const metrics::Msdm2Sample all = look(mark(fit.strength), final_windows());
+        const Fit full{fit.strength, all.mean, fit.evaluations + 1, false};
+        if (!(all.mean > nothing))
+            return {0, 0, full.evaluations, false};
+        const WeightyWindows weighty(all, options_.rough_windows);
+        const auto seen = [&](double strength) {
+            return all.mean *
+                   weighty.growth(msdm2_.at({mark(strength), mesh_.triangles}, weighty.vertices()).local);
+        };
+        fit = approach(seen, full, budget, options_.tolerance);
+        if (!(fit.strength > 0) || std::abs(std::log(fit.strength / full.strength)) <= near)
+            break;
     }
-    approach(fit, mark, budget, final_windows(), options_.tolerance);
     return fit;
 }
 
-/// From the strength of `fit` to the largest one tried whose MSDM2, as so many windows tell it, keeps to the
-/// budget.
-void Budget::approach(Fit& fit, const MarkOfStrength& mark, double budget, std::size_t windows,
-                      double tolerance) const {
-    if (mesh_.positions.size() > windows)
-        budget *= 1 - options_.sampling_margin;
+/// From a strength, seen as `tried.msdm2` if that is known, to the largest one tried that keeps to the budget.
+Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const {
     const double aim = options_.aim * budget;
-    Fit best{0, 0, fit.evaluations, false}, previous;
-    double strength = fit.strength, slope = usual_slope, too_weak = 0, too_strong = 0;
-    for (std::size_t k = 1; k <= options_.most_evaluations && std::isfinite(strength); ++k) {
-        const Fit tried{strength, look(mark(strength), windows).mean, k, false};
-        ++fit.evaluations;
+    Fit best;
+    double slope = usual_slope, too_weak = 0, too_strong = 0;
+    if (!(tried.msdm2 > 0))
+        tried = {tried.strength, seen(tried.strength), tried.evaluations + 1, false};
+    for (std::size_t k = 1;; ++k) {
         if (tried.msdm2 <= budget && tried.msdm2 >= best.msdm2)
             best = tried;
-        best.evaluations = fit.evaluations;
+        best.evaluations = tried.evaluations;
         best.reached = std::abs(best.msdm2 - aim) <= tolerance * budget;
-        if (best.reached || !(tried.msdm2 > nothing))
-            break;
-        (tried.msdm2 < aim ? too_weak : too_strong) = strength;
-        if (k > 1 && tried.strength != previous.strength) {
-            const double measured =
-                std::log(tried.msdm2 / previous.msdm2) / std::log(tried.strength / previous.strength);
-            slope = std::isfinite(measured) ? std::clamp(measured, least_slope, most_slope) : usual_slope;
-        }
-        previous = tried;
-        strength *= std::pow(aim / tried.msdm2, 1 / slope);
-        if (too_weak > 0 && too_strong > 0 && !(strength > too_weak && strength < too_strong))
-            strength = std::sqrt(too_weak * too_strong);
+        if (best.reached || !(tried.msdm2 > nothing) || k == options_.most_evaluations)
+            return best;
+        (tried.msdm2 < aim ? too_weak : too_strong) = tried.strength;
+        double next = tried.strength * std::pow(aim / tried.msdm2, 1 / slope);
+        if (too_weak > 0 && too_strong > 0 && !(next > too_weak && next < too_strong))
+            next = std::sqrt(too_weak * too_strong);
+        if (!std::isfinite(next) || next == tried.strength)
+            return best;
+        const Fit previous = tried;
+        tried = {next, seen(next), tried.evaluations + 1, false};
+        const double measured =
+            std::log(tried.msdm2 / previous.msdm2) / std::log(tried.strength / previous.strength);
+        slope = std::isfinite(measured) ? std::clamp(measured, least_slope, most_slope) : usual_slope;
     }
-    fit = best;
 }
 
 /// A strength at which the mark is seen about as much as the budget allows; 0 if it is not seen at all.

@@ -24,7 +24,7 @@ constexpr std::size_t vertex_block = 1024;
 /// Windows of one parallel task, if not more: each task has marks for all vertices.
 constexpr std::size_t window_block = 256;
 
-/// Of windows at every k-th vertex with such a k, marking what they reach costs less than it saves.
+/// Of windows at one in so many vertices, marking what they reach costs less than it saves.
 constexpr std::size_t far_apart = 64;
 
 double longest_side(const TriangleMesh& mesh) {
@@ -118,6 +118,10 @@ struct Msdm2::Prepared {
     /// Whether each vertex, #V, is in reach of windows at some; S is that of the reference.
     std::vector<char> reached(const TriangleMesh& distorted, const EdgeGraph& around,
                               const std::vector<Index>& vertices) const;
+
+    /// At vertices; S is that of the reference.
+    Msdm2Sample sample(const TriangleMesh& distorted, const EdgeGraph& around,
+                       std::vector<Index> vertices) const;
 
     /// Calls measure with the edges of a mesh, which may be those of the reference.
     template<typename Measure>
@@ -224,6 +228,18 @@ std::vector<char> Msdm2::Prepared::reached(const TriangleMesh& distorted, const 
     return reached;
 }
 
+Msdm2Sample Msdm2::Prepared::sample(const TriangleMesh& distorted, const EdgeGraph& around,
+                                    std::vector<Index> vertices) const {
+    Msdm2Sample sample;
+    sample.vertices = std::move(vertices);
+    const bool sparse = sample.vertices.size() * far_apart <= distorted.positions.size();
+    const std::vector<char> wanted =
+        sparse ? reached(distorted, around, sample.vertices) : std::vector<char>();
+    sample.local = local(distorted, around, own_side, own_curvatures(), sample.vertices, wanted);
+    sample.mean = minkowski_mean(sample.local, options.exponent);
+    return sample;
+}
+
 Msdm2::Msdm2(const SurfaceTree& reference, const Msdm2Options& options)
     : prepared_(std::make_unique<Prepared>(reference, options)) {}
 
@@ -251,17 +267,18 @@ std::vector<double> Msdm2::field(const TriangleMesh& distorted) const {
 
 Msdm2Sample Msdm2::sample(const TriangleMesh& distorted, std::size_t windows) const {
     return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
-        const Prepared& p = *prepared_;
         const std::vector<Index> used = used_vertices(distorted, around);
         const std::size_t stride = (used.size() + windows - 1) / windows;
-        Msdm2Sample sample;
+        std::vector<Index> some;
         for (std::size_t i = 0; i < used.size(); i += stride)
-            sample.vertices.push_back(used[i]);
-        const std::vector<char> wanted =
-            stride >= far_apart ? p.reached(distorted, around, sample.vertices) : std::vector<char>();
-        sample.local = p.local(distorted, around, p.own_side, p.own_curvatures(), sample.vertices, wanted);
-        sample.mean = minkowski_mean(sample.local, p.options.exponent);
-        return sample;
+            some.push_back(used[i]);
+        return prepared_->sample(distorted, around, std::move(some));
+    });
+}
+
+Msdm2Sample Msdm2::at(const TriangleMesh& distorted, std::vector<Index> vertices) const {
+    return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
+        return prepared_->sample(distorted, around, std::move(vertices));
     });
 }
 

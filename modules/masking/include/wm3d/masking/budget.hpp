@@ -19,7 +19,7 @@ using MarkOfStrength = std::function<std::vector<Vec3>(double strength)>;
 /// A strength that fits.
 struct Fit {
     double strength = 0;
-    double msdm2 = 0;            ///< that a mark of this strength was measured to have
+    double msdm2 = 0; ///< of a mark of this strength: measured, or followed from one of nearly this strength
     std::size_t evaluations = 0; ///< of MSDM2
     bool reached = false;        ///< whether `msdm2` lies just below the budget; else no strength came there
 };
@@ -32,7 +32,7 @@ struct BudgetOptions {
     /// of a million take a minute.
     std::size_t most_windows = 60'000;
     std::size_t windows = 16'000;    ///< also of the trial mark that the mask is weighed by
-    std::size_t rough_windows = 500; ///< to come near the strength
+    std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     double sampling_margin = 0.005;  ///< part of the budget that is left where not all are opened
 };
 
@@ -60,10 +60,12 @@ public:
     void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:
+    using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
+
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
     std::size_t final_windows() const;
-    void approach(Fit& fit, const MarkOfStrength& mark, double budget, std::size_t windows,
-                  double tolerance) const;
+    Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
+    Fit approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const;
     double near_budget(const MarkOfStrength& mark, double budget, double guess) const;
     std::vector<char> places_of_jumps(const MarkOfStrength& trial, double budget, double slightest) const;
 

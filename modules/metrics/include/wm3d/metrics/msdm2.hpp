@@ -70,11 +70,17 @@ public:
 
     /// Local distances at every k-th vertex of a triangle, so that at most `windows` are opened: an estimate
     /// for large meshes, where nearly all the time goes into windows of hundreds of vertices, which overlap.
+    /// Of all vertices where they are not more.
     /// S is that of the reference, whose curvatures are then made once for all calls: an invisible
     /// distortion changes it by a ten thousandth.
     /// \pre  windows > 0
     /// \throw GeometryError if the mesh has no triangle
     Msdm2Sample sample(const TriangleMesh& distorted, std::size_t windows) const;
+
+    /// Local distances at some vertices, with the S of `sample`; its mean is theirs.
+    /// \param vertices  ascending, none twice, each of a triangle
+    /// \pre  vertices is not empty
+    Msdm2Sample at(const TriangleMesh& distorted, std::vector<Index> vertices) const;
 
 private:
     struct Prepared;
