@@ -177,9 +177,9 @@ int run(const IdentifyArguments& arguments, Output& output) {
     known.ledger = ledger_path(arguments.ledger, arguments.key);
     const ledger::Ledger book(known.ledger, {.owner = owner_of(key)});
     const Copies copies = read_copies(book, known);
-    const io::Model model = read_input(arguments.files);
+    const TriangleMesh mesh = read_input(arguments.files).take_mesh();
     const watermark::IdentifyReport report = watermark::identify(
-        model.mesh(), key, copies.issued, {arguments.options, copies.receipts}, output.progress());
+        mesh, key, copies.issued, {arguments.options, copies.receipts}, output.progress());
     const std::vector<Match> matches = matches_of(report, copies, book);
     const std::string name =
         key.name().empty() ? "key " + key.fingerprint() : fmt::format("key '{}'", key.name());

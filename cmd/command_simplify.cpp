@@ -35,20 +35,19 @@ std::string_view name_of(simplify::Stop stop) {
 
 int run(const SimplifyOptions& options, Output& output) {
     const io::Format format = check_output(options.files, output);
-    const io::Model model = read_input(options.files);
-    const simplify::Result result = simplify::simplify(model.mesh(), options.simplify, output.progress());
+    const TriangleMesh mesh = read_input(options.files).take_mesh();
+    const simplify::Result result = simplify::simplify(mesh, options.simplify, output.progress());
     write_output(options.files, io::encode(result.mesh, format), output);
     output.say(fmt::format("Wrote {} vertices and {} triangles, of {} and {}, to {}.",
-                           result.mesh.positions.size(), result.mesh.triangles.size(),
-                           model.mesh().positions.size(), model.mesh().triangles.size(),
-                           display_name(options.files.output, "standard output")));
+                           result.mesh.positions.size(), result.mesh.triangles.size(), mesh.positions.size(),
+                           mesh.triangles.size(), display_name(options.files.output, "standard output")));
     if (result.stop != simplify::Stop::reached)
         output.warn(simplify::describe(result.stop));
     output.print_json({{"output", options.files.output},
                        {"vertices", result.mesh.positions.size()},
                        {"faces", result.mesh.triangles.size()},
-                       {"input_vertices", model.mesh().positions.size()},
-                       {"input_faces", model.mesh().triangles.size()},
+                       {"input_vertices", mesh.positions.size()},
+                       {"input_faces", mesh.triangles.size()},
                        {"stop", name_of(result.stop)},
                        {"error", result.error}});
     return exit_done;

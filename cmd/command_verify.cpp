@@ -369,9 +369,11 @@ int run(const VerifyArguments& arguments, Output& output) {
     const Evidence evidence = read_evidence(arguments, output);
     const Condition condition =
         condition_of(arguments.commitment, key, {arguments.options.vertices}, evidence.receipt_text);
-    const io::Model model = read_input(arguments.files);
+    io::Model model = read_input(arguments.files);
+    const std::string_view file = evidence.receipt ? file_in_receipt(model, *evidence.receipt) : "";
+    const TriangleMesh mesh = std::move(model).take_mesh();
     const watermark::VerifyReport report =
-        watermark::verify(model.mesh(), key, with_evidence(arguments, evidence), output.progress());
+        watermark::verify(mesh, key, with_evidence(arguments, evidence), output.progress());
     tell_alignment(arguments, report, output);
     tell_pose(arguments, report, output);
     const std::string name =
@@ -381,7 +383,6 @@ int run(const VerifyArguments& arguments, Output& output) {
         output.print(figures(report));
     ordered_json json = to_json(arguments, report, key);
     if (evidence.receipt) {
-        const std::string_view file = file_in_receipt(model, *evidence.receipt);
         if (!output.quiet())
             output.print(receipt_line(file));
         json["receipt"] = {{"file", file}};

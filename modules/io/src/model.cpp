@@ -40,6 +40,10 @@ Format Model::format() const {
 const TriangleMesh& Model::mesh() const {
     return impl_->welded.mesh;
 }
+TriangleMesh Model::take_mesh() && {
+    const std::unique_ptr<Impl> going = std::move(impl_);
+    return std::move(going->welded.mesh);
+}
 std::span<const Index> Model::vertex_of_slot() const {
     return impl_->welded.vertex_of;
 }

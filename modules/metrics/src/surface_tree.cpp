@@ -13,16 +13,16 @@
 namespace wm3d::metrics {
 
 SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
-    std::vector<NumberedTriangle> triangles;
+    std::vector<Index> triangles;
     triangles.reserve(mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f)
         if (has_area(f))
-            triangles.push_back(numbered(f));
+            triangles.push_back(f);
     if (triangles.empty())
         throw GeometryError(
             "the mesh has no triangle with an area, so no distance to it can be measured; check "
             "that the file holds the model that you mean");
-    boxes_ = std::make_unique<TriangleBoxes>(std::move(triangles));
+    boxes_ = std::make_unique<TriangleBoxes>(mesh, std::move(triangles));
 }
 
 SurfaceTree::~SurfaceTree() = default;

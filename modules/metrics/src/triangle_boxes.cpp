@@ -23,9 +23,14 @@ std::size_t nodes_for(std::size_t count) {
     return 2 * leaves - 1;
 }
 
-/// Three times the centroid.
-Vec3 centre(const NumberedTriangle& t) {
-    return t.a + t.b + t.c;
+/// Three times the centroids of all triangles, #F.
+std::vector<Vec3> centroids(const TriangleMesh& mesh) {
+    std::vector<Vec3> centres(mesh.triangles.size());
+    for (std::size_t f = 0; f < centres.size(); ++f) {
+        const Triangle& t = mesh.triangles[f];
+        centres[f] = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
+    }
+    return centres;
 }
 
 std::size_t middle(std::size_t begin, std::size_t end) {
@@ -47,36 +52,42 @@ void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) 
         *this = {other.number, other_square, other_height};
 }
 
-TriangleBoxes::TriangleBoxes(std::vector<NumberedTriangle> triangles)
-    : triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
-    build(0, 0, triangles_.size());
+TriangleBoxes::TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles)
+    : mesh_(mesh), triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
+    build(0, 0, triangles_.size(), centroids(mesh));
 }
 
-void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end) {
-    const auto first = triangles_.begin();
-    const auto at = [&](std::size_t i) { return first + static_cast<std::ptrdiff_t>(i); };
-    Box box{triangles_[begin].a, triangles_[begin].a};
-    Box centres{centre(triangles_[begin]), centre(triangles_[begin])};
-    std::for_each(at(begin), at(end), [&](const NumberedTriangle& t) {
-        box.min = box.min.cwiseMin(t.a).cwiseMin(t.b).cwiseMin(t.c);
-        box.max = box.max.cwiseMax(t.a).cwiseMax(t.b).cwiseMax(t.c);
-        centres.min = centres.min.cwiseMin(centre(t));
-        centres.max = centres.max.cwiseMax(centre(t));
+NumberedTriangle TriangleBoxes::numbered(Index triangle) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]], triangle};
+}
+
+void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end,
+                          const std::vector<Vec3>& centres) {
+    const auto at = [&](std::size_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
+    const Vec3& somewhere = mesh_.positions[mesh_.triangles[triangles_[begin]][0]];
+    Box box{somewhere, somewhere}, around{centres[triangles_[begin]], centres[triangles_[begin]]};
+    std::for_each(at(begin), at(end), [&](Index f) {
+        for (Index v : mesh_.triangles[f]) {
+            box.min = box.min.cwiseMin(mesh_.positions[v]);
+            box.max = box.max.cwiseMax(mesh_.positions[v]);
+        }
+        around.min = around.min.cwiseMin(centres[f]);
+        around.max = around.max.cwiseMax(centres[f]);
     });
     boxes_[node] = box;
     if (is_leaf(node))
         return;
     // Half of the triangles on either side of the widest direction's median.
     Eigen::Index axis = 0;
-    (centres.max - centres.min).maxCoeff(&axis);
+    (around.max - around.min).maxCoeff(&axis);
     const std::size_t half = middle(begin, end);
-    std::nth_element(at(begin), at(half), at(end),
-                     [axis](const NumberedTriangle& s, const NumberedTriangle& t) {
-                         const double x = centre(s)[axis], y = centre(t)[axis];
-                         return x < y || (x == y && s.number < t.number);
-                     });
-    const auto left = [&] { build(2 * node + 1, begin, half); };
-    const auto right = [&] { build(2 * node + 2, half, end); };
+    std::nth_element(at(begin), at(half), at(end), [&](Index s, Index t) {
+        const double x = centres[s][axis], y = centres[t][axis];
+        return x < y || (x == y && s < t);
+    });
+    const auto left = [&] { build(2 * node + 1, begin, half, centres); };
+    const auto right = [&] { build(2 * node + 2, half, end, centres); };
     if (end - begin > worth_a_thread)
         parallel_invoke(left, right);
     else {
@@ -99,11 +110,9 @@ NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, 
         if (!known.may_yield_to(at.square))
             continue;
         if (is_leaf(at.node)) {
-            for (std::size_t i = at.begin; i < at.end; ++i) {
-                const NumberedTriangle& t = triangles_[i];
-                if (wanted(t.number))
-                    known.improve(query, t);
-            }
+            for (std::size_t i = at.begin; i < at.end; ++i)
+                if (wanted(triangles_[i]))
+                    known.improve(query, numbered(triangles_[i]));
             continue;
         }
         const std::size_t left = 2 * at.node + 1, half = middle(at.begin, at.end);

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include <wm3d/mesh/types.hpp>
+#include <wm3d/mesh/triangle_mesh.hpp>
 
 namespace wm3d::metrics {
 
@@ -41,8 +41,9 @@ private:
 /// covers a run of triangles that follows from k, so nodes hold a box and nothing else.
 class TriangleBoxes {
 public:
+    /// Over some triangles of a mesh, which has to outlive the tree.
     /// \pre  triangles is not empty
-    explicit TriangleBoxes(std::vector<NumberedTriangle> triangles);
+    TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles);
 
     /// The triangle closest to the query, in the sense of `improve`. `known` is an answer that may be
     /// bettered: the closer it is, the shorter the search.
@@ -61,11 +62,13 @@ private:
 
     template<typename Wanted>
     NearestTriangle search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const;
-    void build(std::size_t node, std::size_t begin, std::size_t end);
+    void build(std::size_t node, std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
+    NumberedTriangle numbered(Index triangle) const;
     bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
 
-    std::vector<NumberedTriangle> triangles_; ///< leaf by leaf
-    std::vector<Box> boxes_;                  ///< one less than a power of two
+    const TriangleMesh& mesh_;
+    std::vector<Index> triangles_; ///< leaf by leaf
+    std::vector<Box> boxes_;       ///< one less than a power of two
 };
 
 } // namespace wm3d::metrics

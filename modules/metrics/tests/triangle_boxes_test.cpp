@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../src/triangle_boxes.hpp"
 
+#include <numeric>
+
 #include <doctest/doctest.h>
 #include <wm3d/mesh.hpp>
 #include <wm3d/shapes.hpp>
@@ -21,6 +23,12 @@ std::vector<NumberedTriangle> corners_of(const TriangleMesh& mesh, std::size_t c
     return corners;
 }
 
+std::vector<Index> first(std::size_t count) {
+    std::vector<Index> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), Index{0});
+    return numbers;
+}
+
 NearestTriangle by_search(const std::vector<NumberedTriangle>& corners, const Vec3& query) {
     NearestTriangle best;
     for (const auto& t : corners)
@@ -35,7 +43,7 @@ TEST_CASE("trees of any number of triangles find what a search over all finds") 
     const TriangleMesh queries = shapes::blob(60, 2);
     for (std::size_t count : {1UL, 2UL, 3UL, 4UL, 5UL, 7UL, 8UL, 9UL, 16UL, 17UL, 31UL, 100UL, 599UL}) {
         const auto corners = corners_of(mesh, count);
-        const TriangleBoxes boxes(corners);
+        const TriangleBoxes boxes(mesh, first(count));
         for (const Vec3& q : queries.positions) {
             const auto expected = by_search(corners, q), found = boxes.nearest(q);
             REQUIRE(found.square == expected.square);
@@ -47,7 +55,7 @@ TEST_CASE("trees of any number of triangles find what a search over all finds") 
 TEST_CASE("some triangles may be left out of a search") {
     const TriangleMesh mesh = shapes::blob(300, 1);
     auto corners = corners_of(mesh, mesh.triangles.size());
-    const TriangleBoxes boxes(corners);
+    const TriangleBoxes boxes(mesh, first(corners.size()));
     const Vec3 query = mesh.positions[7];
     std::vector<Index> left_out;
     for (int i = 0; i < 9; ++i) {
@@ -57,14 +65,14 @@ TEST_CASE("some triangles may be left out of a search") {
         left_out.push_back(found.triangle);
         std::erase_if(corners, [&](const auto& t) { return t.number == found.triangle; });
     }
-    CHECK(TriangleBoxes(corners_of(mesh, 1)).nearest_but(std::vector<Index>{0}, query).triangle == no_index);
+    CHECK(TriangleBoxes(mesh, first(1)).nearest_but(std::vector<Index>{0}, query).triangle == no_index);
 }
 
 TEST_CASE(
     "of triangles that are equally close, the one that faces the query is found, whatever was known before") {
     const TriangleMesh mesh = shapes::sphere(1, 12);
     const auto corners = corners_of(mesh, mesh.triangles.size());
-    const TriangleBoxes boxes(corners);
+    const TriangleBoxes boxes(mesh, first(corners.size()));
     for (const Vec3& p : mesh.positions) { // beyond every vertex several triangles are equally close
         const Vec3 query = 1.1 * p + Vec3(1e-3, 2e-3, -1e-3);
         const auto expected = by_search(corners, query);
@@ -82,7 +90,7 @@ TEST_CASE("facing decides, then the number") {
     const NumberedTriangle right{{0, 0, 0}, {0, 1, 0}, {1, 0, -0.5}, 4},
         left{{0, 0, 0}, {0, 1, 0}, {-1, 0, -2}, 3};
     const auto nearest = [](const Vec3& query, const NumberedTriangle& s, const NumberedTriangle& t) {
-        return TriangleBoxes({s, t}).nearest(query).triangle;
+        return by_search({s, t}, query).triangle;
     };
     const Vec3 above(0.05, 0.5, 1); // as close to both: their common side is closest
     CHECK(nearest(above, left, right) == 4);

@@ -75,14 +75,14 @@ struct Snapshot {
     std::vector<Vec3> positions;
     std::vector<Index> corners, input_vertex;
 
-    Snapshot(const Canonical& input, const std::vector<Index>& source, const Rings& rings, std::size_t faces)
+    Snapshot(const std::vector<Index>& numbers, const Surface& surface, const Sites& sites, std::size_t faces)
         : corners(3 * faces) {
-        positions.reserve(source.size());
-        input_vertex.reserve(source.size());
-        for (Index w = 0; w < source.size(); ++w) {
-            positions.push_back(input.positions[source[w]]);
-            input_vertex.push_back(input.input_vertex[source[w]]);
-            for (const Spoke& s : rings.of(w))
+        positions.reserve(surface.source.size());
+        input_vertex.reserve(surface.source.size());
+        for (Index w = 0; w < surface.source.size(); ++w) {
+            positions.push_back(sites.site[w].position);
+            input_vertex.push_back(numbers[surface.source[w]]);
+            for (const Spoke& s : surface.rings.of(w))
                 if (s.corner != no_index)
                     corners[s.corner] = w;
         }
@@ -91,7 +91,8 @@ struct Snapshot {
 
 /// Everything the simplification works on.
 struct Workplace {
-    Canonical input;
+    std::vector<Index> input_vertex; ///< #vertices: their numbers in the input
+    double scale = 1;                ///< units of the input per unit of the sites
     std::size_t faces = 0;
     Surface surface;
     Sites sites;
@@ -101,8 +102,8 @@ Workplace prepare(const TriangleMesh& mesh, const Options& options) {
     Canonical input = canonical_order(mesh);
     const std::size_t faces = input.triangles.size();
     Surface surface = build_surface(std::exchange(input.triangles, {}), input.positions);
-    Sites sites = build_sites(surface, input.positions, options);
-    return {std::move(input), faces, std::move(surface), std::move(sites)};
+    Sites sites = build_sites(surface, std::move(input.positions), options);
+    return {std::move(input.input_vertex), input.scale, faces, std::move(surface), std::move(sites)};
 }
 
 Result run(const TriangleMesh& mesh, const Options& options, Observer* observer, const Progress& progress) {
@@ -111,24 +112,24 @@ Result run(const TriangleMesh& mesh, const Options& options, Observer* observer,
     Workplace work = prepare(mesh, options);
     std::optional<Snapshot> snapshot;
     if (observer) {
-        snapshot.emplace(work.input, work.surface.source, work.surface.rings, work.faces);
+        snapshot.emplace(work.input_vertex, work.surface, work.sites, work.faces);
         observer->start({snapshot->positions, snapshot->corners, snapshot->input_vertex});
     }
     Result result;
-    const std::size_t vertices = work.input.positions.size();
+    const std::size_t vertices = work.input_vertex.size();
     if (vertices <= options.target_vertices) {
         result.stop = Stop::already_small;
     } else {
         Decimator decimator(work.surface.rings, work.sites, options, observer);
         result.collapses = decimator.remove(vertices - options.target_vertices, progress);
-        result.error = std::sqrt(decimator.largest_error()) * work.input.scale;
+        result.error = std::sqrt(decimator.largest_error()) * work.scale;
         result.stop = vertices - result.collapses == options.target_vertices ? Stop::reached : Stop::blocked;
     }
     const Numbering numbering = number_survivors(work.surface.rings, work.surface.source);
     std::vector<Index> faces;
     result.mesh.triangles = surviving_triangles(work.surface.rings, numbering.base_vertex, work.faces, faces);
     for (Index w : numbering.kept) {
-        result.original.push_back(work.input.input_vertex[w]);
+        result.original.push_back(work.input_vertex[w]);
         result.mesh.positions.push_back(mesh.positions[result.original.back()]);
     }
     if (observer)

@@ -50,14 +50,15 @@ Quadric initial_quadric(Ring ring, const std::vector<Site>& site, Index v, const
 
 } // namespace
 
-Sites build_sites(const Surface& surface, const std::vector<Vec3>& positions, const Options& options) {
+Sites build_sites(const Surface& surface, std::vector<Vec3> positions, const Options& options) {
     Sites out;
     const std::size_t count = surface.source.size();
     out.site.resize(count);
-    out.quadric.resize(count);
-    out.kind.resize(count);
     for (std::size_t v = 0; v < count; ++v)
         out.site[v].position = positions[surface.source[v]];
+    std::vector<Vec3>().swap(positions);
+    out.quadric.resize(count);
+    out.kind.resize(count);
     parallel_blocks(count, site_block, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
             out.quadric[v] = initial_quadric(surface.rings.of(v), out.site, v, options);

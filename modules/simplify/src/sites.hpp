@@ -31,6 +31,7 @@ struct Sites {
 
 /// Area-weighted plane quadrics, isotropic quadrics and boundary planes, gathered per vertex in the order of
 /// its ring.
-Sites build_sites(const Surface& surface, const std::vector<Vec3>& positions, const Options& options);
+/// \param positions  of the input; let go before the quadrics take their place
+Sites build_sites(const Surface& surface, std::vector<Vec3> positions, const Options& options);
 
 } // namespace wm3d::simplify

@@ -52,6 +52,9 @@ public:
     /// triangulated, triangles that repeat a vertex dropped, isolated vertices kept.
     const TriangleMesh& mesh() const;
 
+    /// The mesh alone, for who needs no more of the file: what it takes to patch it is let go.
+    TriangleMesh take_mesh() &&;
+
     /// Vertex of every slot, #slots, in file order.
     std::span<const Index> vertex_of_slot() const;
 
