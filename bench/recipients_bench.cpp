@@ -167,9 +167,9 @@ void crowds(const std::filesystem::path& path, std::size_t trials, const std::ve
                     innocent.push_back(
                         payload::copy_number("another work", fmt::format("buyer {} of {}", r, drawn), level));
                 const std::vector<double> scores =
-                    payload::copy_scores(key.secret(), report.mark.statistic, innocent);
+                    payload::copy_scores(key.secret(), report.content, innocent);
                 nearest = std::max(nearest, *std::ranges::max_element(scores));
-                wrong += payload::accuse(report.mark.statistic, scores, std::log10(pf), crowd).size();
+                wrong += payload::accuse(report.content, scores, std::log10(pf), crowd).size();
             }
         }
     }

@@ -82,11 +82,18 @@ metrics::Msdm2Sample Budget::look(const std::vector<Vec3>& positions, std::size_
     return msdm2_.sample({positions, mesh_.triangles}, windows);
 }
 
+/// What is seen of small meshes, whose moves can be large beside the box that MSDM2's unit of length follows.
+double Budget::exactly(const std::vector<Vec3>& positions) const {
+    return msdm2_.distance({positions, mesh_.triangles});
+}
+
 std::size_t Budget::final_windows() const {
     return mesh_.positions.size() > options_.most_windows ? options_.windows : options_.most_windows;
 }
 
 double Budget::visible(const std::vector<Vec3>& positions) const {
+    if (mesh_.positions.size() <= options_.rough_windows)
+        return exactly(positions);
     return look(positions, final_windows()).mean;
 }
 
@@ -97,7 +104,8 @@ Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() > final_windows())
         budget *= 1 - options_.sampling_margin;
     if (mesh_.positions.size() <= options_.rough_windows)
-        return approach(seen_through(final_windows()), {guess}, budget, options_.tolerance);
+        return approach([&](double strength) { return exactly(mark(strength)); }, {guess}, budget,
+                        options_.tolerance);
     constexpr double near = 0.03; // of the budget
     Fit fit = approach(seen_through(options_.rough_windows), {guess}, budget, near);
     if (!(fit.strength > 0))

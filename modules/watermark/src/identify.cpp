@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/watermark/closer_look.hpp>
+#include <wm3d/watermark/content_statistic.hpp>
+
 namespace wm3d::watermark {
 
 namespace {
@@ -59,6 +62,24 @@ void look_for_mark(IdentifyReport& report, const Suspect& suspect, const key::Ke
         report.mark = verify_at_share(suspect, key, options.verify, 1 - receipts_share, progress);
 }
 
+/// What the copies are compared with: all filters on up to `most_examined` vertices, where the mark was found on fewer.
+/// The pose and level were chosen by the common part alone, so the copies' signs are still unknown to it.
+detect::LinearStatistic content(const TriangleMesh& suspect, const VerifyReport& mark, const key::Key& key,
+                                const Progress& progress) {
+    const bool closer = mark.verdict == detect::Verdict::present && mark.frame &&
+                        mark.base_vertices < std::min(suspect.positions.size(), most_examined);
+    if (!closer)
+        return mark.statistic;
+    ExaminationOptions options = examination_options(key.parameters(), most_examined);
+    options.levels = {mark.level};
+    options.resync = Resync::icp; // no pose but this
+    options.poses = {{*mark.frame, mark.pose_origin}};
+    const Examination examination(suspect, options, progress);
+    Sequences sequences(key.secret(), key.parameters().rmax);
+    const detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
+    return content_statistic(examination.family(), score.best.hypothesis, sequences(mark.level));
+}
+
 } // namespace
 
 IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::span<const IssuedCopy> copies,
@@ -66,6 +87,7 @@ IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::s
     IdentifyReport report;
     look_for_mark(report, simplify_suspect(suspect, options.verify.vertices, progress), key, options,
                   progress);
+    report.content = content(suspect, report.mark, key, progress);
     std::vector<std::uint64_t> numbers;
     std::vector<std::size_t> place; // of each number among the copies
     for (std::size_t k = 0; k < copies.size(); ++k)
@@ -73,12 +95,10 @@ IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::s
             numbers.push_back(copies[k].number);
             place.push_back(k);
         }
-    const std::vector<double> scores =
-        payload::copy_scores(key.secret(), report.mark.statistic, numbers, progress);
+    const std::vector<double> scores = payload::copy_scores(key.secret(), report.content, numbers, progress);
     report.compared = numbers.size();
     report.best_sigmas = scores.empty() ? 0 : *std::ranges::max_element(scores);
-    report.accused =
-        payload::accuse(report.mark.statistic, scores, std::log10(options.verify.pf), copies.size());
+    report.accused = payload::accuse(report.content, scores, std::log10(options.verify.pf), copies.size());
     for (payload::Accusation& accusation : report.accused)
         accusation.copy = place[accusation.copy];
     return report;

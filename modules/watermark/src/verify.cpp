@@ -184,6 +184,7 @@ void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequ
     report.statistic = content_statistic(all.family, report.score.best.hypothesis, sequences(best.level));
     report.pose = best.pose;
     report.pose_origin = all.suspect.pose(best.pose).origin;
+    report.frame = all.suspect.pose(best.pose).frame;
     report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
     decide(report, all, key, sequences, options);
 }
@@ -262,6 +263,8 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
         Examination& there = *found.hit->examination;
         std::vector<detect::Hypothesis> family(there.family().begin(), there.family().end());
         tell(report, {std::move(there), std::move(family), {}, {}, 0}, key, sequences, options);
+        if (found.report.pose->piece || found.report.pose->deformation != search::Deformation::none)
+            report.frame.reset();
     } else {
         report.verdict = whitened_verdict(report, options);
         settle(report, all.ambiguity); // a search that found nothing may dispel a doubt

@@ -59,6 +59,24 @@ TriangleMesh half(const TriangleMesh& mesh) {
 
 } // namespace
 
+TEST_CASE("copies are read on more vertices than the mark was found on") {
+    const TriangleMesh mesh = shapes::blob(12000, 4);
+    const Marked one = marked(mesh, {{}, payload::CopyLabel{work, buyer(3)}});
+    const std::vector<IssuedCopy> copies = issued(20, one.level);
+    IdentifyOptions options;
+    options.verify.search = SearchUse::never;
+    options.verify.vertices = 6500;
+    const IdentifyReport report = identify({one.positions, mesh.triangles}, key_of_tests, copies, options);
+    REQUIRE(report.mark.verdict == detect::Verdict::present);
+    CHECK(report.mark.base_vertices == 6500);
+    const std::vector<std::uint64_t> numbers{copies[3].number};
+    const double on_fewer =
+        payload::copy_scores(key_of_tests.secret(), report.mark.statistic, numbers).front();
+    CHECK(report.best_sigmas > 1.1 * on_fewer);
+    REQUIRE(report.accused.size() == 1);
+    CHECK(report.accused[0].copy == 3);
+}
+
 TEST_CASE(
     "a copy is told among many, two that were averaged both are, and the owner's own mark is nobody's") {
     const TriangleMesh mesh = shapes::blob(12000, 4);

@@ -63,6 +63,7 @@ private:
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
 
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
+    double exactly(const std::vector<Vec3>& positions) const;
     std::size_t final_windows() const;
     Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
     Fit approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const;

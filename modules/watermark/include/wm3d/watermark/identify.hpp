@@ -27,6 +27,7 @@ struct IdentifyOptions {
 
 struct IdentifyReport {
     VerifyReport mark;                        ///< whether it is the owner's at all, and where the mark lies
+    detect::LinearStatistic content{{}, 1};   ///< what the suspect says about the copies' numbers
     std::vector<payload::Accusation> accused; ///< at the P_f that was asked for, the clearest first
     std::size_t compared = 0; ///< copies whose mark may lie where one was found: those of its level
     double best_sigmas = 0;   ///< the clearest copy's score, accused or not
@@ -37,8 +38,8 @@ struct IdentifyReport {
 };
 
 /// Whose copies the suspect was made from. The suspect is examined once, the owner's common part tells pose,
-/// filter and level, and every copy is one sum of signs there. All copies are paid for, also those of other
-/// levels.
+/// and level, and every copy is one sum of signs there, read on all vertices or as many as
+/// `most_examined`. All copies are paid for, also those of other levels.
 ///
 /// With receipts the quick look and the search have 0.999 of P_f, and the receipts share the rest: their p are
 /// multiplied by 1000 and by their number.

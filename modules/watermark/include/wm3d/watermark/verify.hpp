@@ -76,6 +76,8 @@ struct VerifyReport {
     detect::LinearStatistic statistic{{}, 1};
     std::size_t pose = 0;
     std::string pose_origin;
+    /// Of that pose, in the suspect's coordinates; none where the mark is on a piece or deformed.
+    std::optional<Frame> frame;
     std::optional<detect::Filter> filter; ///< none with the paper's detector and where the reference decided
     bool by_difference = false;           ///< the difference from the reference decided
     double reference_coverage = 0;        ///< part of the reference that has a counterpart in the suspect
