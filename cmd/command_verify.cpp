@@ -69,6 +69,12 @@ std::string search_limits(const watermark::VerifyReport& report) {
 std::string reason(const watermark::VerifyReport& report) {
     switch (report.doubt) {
     case watermark::Doubt::opening:
+        if (report.lone_flat > report.largest_opening)
+            return fmt::format(
+                "a plane face has {:.1f} % of its surface, which is nowhere else plane, so a cut "
+                "may have been closed there{}; give "
+                "--receipt or --reference, which tell where the mark would lie.",
+                100 * report.lone_flat, search_limits(report));
         return fmt::format("it has an opening as large as {:.1f} % of its surface, so a part may have been "
                            "cut off there{}; give "
                            "--receipt or --reference, which tell where the mark would lie.",

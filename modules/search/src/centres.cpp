@@ -8,6 +8,7 @@
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
+#include <wm3d/search/flats.hpp>
 
 namespace wm3d::search {
 
@@ -72,6 +73,12 @@ Outline outline(const TriangleMesh& mesh) {
         out += w * loop.opening.stableNormalized();
         there += w * (loop.centre - result.centroid) / result.radius;
     }
+    if (const Flat flat = lone_flat(mesh); flat.area > 0) {
+        result.closed = flat.area;
+        all += flat.area;
+        out += flat.area * flat.normal;
+        there += flat.area * (flat.centre - result.centroid) / result.radius;
+    }
     constexpr double share_of_normal = 0.1; // enough where the places tell nothing
     const Vec3 axis = there + (moments.solid.volume < 0 ? -share_of_normal : share_of_normal) * out;
     if (all > 0 && axis.norm() > 0)
@@ -82,7 +89,8 @@ Outline outline(const TriangleMesh& mesh) {
 std::vector<Vec3> centres(const Outline& outline, std::size_t count, const CentreOptions& options) {
     if (count == 0)
         return {};
-    const bool open = outline.opening >= options.least_opening || outline.stump >= options.least_stump;
+    const bool open = outline.opening >= options.least_opening || outline.stump >= options.least_stump ||
+                      outline.closed > 0;
     const Vec3 outwards = open ? outline.outwards : Vec3::Zero();
     const double edge = options.covering * 4 / std::sqrt(5.0); // of a body-centred cubic lattice
     // The region's volume grows with the cube of its limit.

@@ -330,7 +330,8 @@ SearchResult SuspectSearch::run() {
 
 bool may_be_part(const search::Outline& outline) {
     constexpr double tolerated_opening = 0.006;
-    return outline.opening > tolerated_opening || outline.stump > search::CentreOptions{}.least_stump;
+    return outline.opening > tolerated_opening || outline.stump > search::CentreOptions{}.least_stump ||
+           outline.closed > 0;
 }
 
 double beside_search(double log10_p) {

@@ -305,6 +305,7 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     report.reference_coverage = all.reference_coverage;
     const search::Outline outline = search::outline(suspect.mesh);
     report.largest_opening = outline.opening;
+    report.lone_flat = outline.closed;
     report.may_be_part = may_be_part(outline);
     report.score = score_of_look(all, suspect, sequences, options);
     tell(report, all, key, sequences, options);

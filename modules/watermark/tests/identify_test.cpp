@@ -137,6 +137,19 @@ TEST_CASE("a part of a copy is told by the receipt of its work, in whatever orde
     CHECK_FALSE(innocent.is_owners());
 }
 
+TEST_CASE("a part of a copy is told in the pose that a search finds, without any receipt") {
+    const TriangleMesh mesh = shapes::blob(12000, 4);
+    const Marked one = marked(mesh, {{}, payload::CopyLabel{work, buyer(3)}});
+    IdentifyOptions options;
+    options.verify.effort = 0.3;
+    const IdentifyReport report =
+        identify(half({one.positions, mesh.triangles}), key_of_tests, issued(20, one.level), options);
+    CHECK(report.mark.pose_origin == "search");
+    REQUIRE(report.accused.size() == 1);
+    CHECK(report.accused[0].copy == 3);
+    CHECK(report.accused[0].log10_p < -6);
+}
+
 TEST_CASE("a payload and a copy in one mark are both read") {
     const TriangleMesh mesh = shapes::blob(12000, 4);
     const payload::Content content{payload::parse_message("0xC0FFEE"), payload::CopyLabel{work, buyer(7)}};

@@ -166,6 +166,19 @@ TEST_CASE("a cut through a thin limb is taken for one however small it is, and a
     CHECK_FALSE(with_hole.may_be_part);
 }
 
+TEST_CASE("a cut that was closed by a plane face is taken for one") {
+    TriangleMesh closed = shapes::blob(4000, 9);
+    for (Vec3& p : closed.positions) // what lay beyond, pressed flat
+        p.x() = std::min(p.x(), 0.6);
+    const VerifyReport report = look(closed, 0.005);
+    CHECK(report.largest_opening == 0);
+    CHECK(report.lone_flat > 0.01);
+    CHECK(report.verdict == detect::Verdict::inconclusive);
+    REQUIRE(report.search);
+    CHECK(report.search->centres > 0);
+    CHECK(look(shapes::blob(4000, 9), 0).lone_flat == 0);
+}
+
 TEST_CASE("a marked model in loose triangles is not called absent, however many they are") {
     const TriangleMesh whole = marked(shapes::blob(17000, 3));
     TriangleMesh loose;

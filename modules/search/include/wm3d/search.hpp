@@ -3,6 +3,7 @@
 #pragma once
 
 #include <wm3d/search/centres.hpp>
+#include <wm3d/search/flats.hpp>
 #include <wm3d/search/harmonics.hpp>
 #include <wm3d/search/key_function.hpp>
 #include <wm3d/search/pose.hpp>

@@ -20,6 +20,8 @@ struct Outline {
     /// The same of the largest border that ends a limb: the surface runs towards it and not around it, as where a
     /// limb was cut through. The holes that scanners leave lie in a surface that goes on around them.
     double stump = 0;
+    /// The same of a plane face in a surface that is nowhere else plane: it may close a cut.
+    double closed = 0;
 };
 
 /// \throw GeometryError  if the mesh has no area
@@ -28,7 +30,7 @@ Outline outline(const TriangleMesh& mesh);
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
     double least_opening = 0.002; ///< relative area from which an opening tells a direction
-    double least_stump = 0.0005;  ///< the same of a stump
+    double least_stump = 0.0005;  ///< the same of a stump; any plane face that may close a cut tells one
     double wide = 0.6; ///< angle from the opening's axis at which a place counts as twice as far, radians
 };
 

@@ -24,7 +24,7 @@ inline constexpr double search_share = 1e-3;
 double beside_search(double log10_p);
 
 /// Whether a part may be missing: an opening of more than 0.6 % of the surface, or of more than 0.05 % where a
-/// limb ends. Cuts by a plane that remove 2 % of a closed model leave the one or the other; the largest hole
+/// limb ends, or a plane face that may have closed it. Cuts by a plane that remove 2 % of a closed model leave the one or the other; the largest hole
 /// under the base of a scan such as the Stanford bunny has 0.5 %, and its rim is flat.
 bool may_be_part(const search::Outline& outline);
 

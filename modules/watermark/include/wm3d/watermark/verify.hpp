@@ -69,7 +69,8 @@ struct VerifyReport {
     Doubt doubt = Doubt::none; ///< other than none just where the verdict is inconclusive
     double largest_opening =
         0;                    ///< area that would close the suspect's widest border, relative to its surface
-    bool may_be_part = false; ///< an opening is so wide, or ends a limb, that a part may have been cut off
+    double lone_flat = 0;     ///< area of a plane face where a cut may have been closed, likewise; 0: none
+    bool may_be_part = false; ///< an opening or such a face is so wide that a part may have been cut off
     detect::FamilyScore score;
     unsigned level = 0; ///< of the best hypothesis
     /// What the suspect says about each number of the level, as content_statistic: for payloads and recipients.
