@@ -236,7 +236,7 @@ int run(MarkArguments arguments, Output& output) {
     const watermark::MarkModelOptions options = model_options(arguments, model, key, output);
     arguments.options = options.mark; // with what was found
     const watermark::MarkedModel result = watermark::mark_model(model, key, options, output.progress());
-    if (result.loss != watermark::Loss::visibility)
+    if (result.loss != watermark::Loss::visibility && result.loss != watermark::Loss::distance)
         warn_if_too_coarse(result, output);
     if (result.loss != watermark::Loss::none) {
         output.fail(fmt::format("{}: {}", arguments.files.input,

@@ -8,14 +8,13 @@
 #include <wm3d/mesh/weld.hpp>
 #include <wm3d/watermark.hpp>
 
-#include "fixed_key.hpp"
 #include "target.hpp"
 
 using namespace wm3d;
 
 namespace {
 
-constexpr std::size_t most_triangles = 400;
+constexpr std::size_t most_triangles = 150;
 
 /// Triangles of corners on a lattice of 16 steps: coincidences, slivers and folds of every kind.
 TriangleMesh lattice_mesh(std::string_view bytes) {
@@ -29,11 +28,26 @@ TriangleMesh lattice_mesh(std::string_view bytes) {
     return weld(corners, triangles).mesh;
 }
 
+/// Of one coarse level, which makes a mark and its verdict a matter of milliseconds.
+key::Key coarse_key() {
+    return key::Key::parse(
+        "wm3d key, version 1\n"
+        "# Keep this file secret and keep a copy: whoever has it can make and prove marks.\n"
+        "name: fuzzing: published, so worthless\n"
+        "secret: 8e5c6a1f0b7d42933e1a9f4c5d60b7281f3e2d4c5b6a79880123456789abcdef\n"
+        "levels: 2\n"
+        "rmax: 0.1\n"
+        "reference-strength: 0.05\n"
+        "created-by: wm3d 0.2.0\n"
+        "checksum: bca377b68012e836b7a0e6a4bb3e3fd0\n",
+        "coarse.key");
+}
+
 void mark_and_verify(const TriangleMesh& mesh, watermark::Profile profile) {
-    static const key::Key key = fixed_key();
+    static const key::Key key = coarse_key();
     watermark::MarkOptions options;
     options.profile = profile;
-    options.level = 3;
+    options.level = 2;
     options.vertices = 100;
     if (profile != watermark::Profile::masked)
         options.strength = 0.5;

@@ -202,11 +202,11 @@ Seeds marks() {
     Seeds all;
     for (const char profile : {'\0', '\1', '\2'}) {
         for (const TriangleMesh& mesh :
-             {shapes::box({1, 2, 3}, 3), shapes::sphere(1, 7), shapes::square(1, 6),
-              shapes::torus(2, 0.5, 12, 8), shapes::blob(120, 1)})
+             {shapes::box({1, 2, 3}, 2), shapes::sphere(1, 5), shapes::square(1, 5),
+              shapes::torus(2, 0.5, 10, 6), shapes::blob(70, 1)})
             all.push_back(profile + io::encode(mesh, io::Format::off));
         std::string lattice(1, profile);
-        for (int i = 0; i < 600; ++i)
+        for (int i = 0; i < 300; ++i)
             lattice += static_cast<char>(i * 37 + i / 7);
         all.push_back(lattice);
     }

@@ -334,6 +334,7 @@ class Absurd(InFolder):
             done = wm3d("mark", self.scaled("beyond", lambda x: x * factor), "-o", self.folder / "x.obj", "--key", owner)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertEqual(done.stderr.count(b"\n"), 1, done.stderr)
+            self.assertIn(b"scale the model", done.stderr)
         counted(f"log10 p by magnitude: {found}; 4 magnitudes beyond 1e150 refused")
 
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
@@ -175,10 +176,23 @@ Vec3 third_moments(const TriangleMesh& mesh, const Vec3& origin, const Mat3& axe
     });
 }
 
+/// Sixth powers of lengths have to stay within the range of double.
+void require_usual_size(const Box& box) {
+    constexpr double least = 1e-50, most = 1e50;
+    const double extent = (box.max - box.min).maxCoeff();
+    if (extent > 0 && !(extent >= least && extent <= most))
+        throw GeometryError(
+            fmt::format("the mesh is {:.0e} units large, but lengths have to lie between {:.0e} and {:.0e}, "
+                        "or their powers "
+                        "leave the range of double precision; scale the model to a usual unit first",
+                        extent, least, most));
+}
+
 } // namespace
 
 SurfaceMoments surface_moments(const TriangleMesh& mesh) {
     const Box box = surface_box(mesh);
+    require_usual_size(box);
     const Vec3 origin = 0.5 * (box.min + box.max);
     const FirstMoments first = first_moments(mesh, origin);
     if (!(first.area > 0))

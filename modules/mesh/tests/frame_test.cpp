@@ -181,6 +181,21 @@ TEST_CASE("a surface without area has no frame, and the message says so") {
     CHECK_THROWS_WITH_AS(canonical_frame(line), doctest::Contains("no surface area"), GeometryError);
 }
 
+TEST_CASE("a mesh whose powers leave the range of double is refused for its size") {
+    const auto scaled = [](double factor) {
+        TriangleMesh mesh = split(split(tetrahedron()));
+        for (Vec3& p : mesh.positions)
+            p *= factor;
+        return mesh;
+    };
+    for (const double factor : {1e-300, 1e-150, 1e-55, 1e55, 1e150, 1e300})
+        CHECK_THROWS_WITH_AS(canonical_frame(scaled(factor)), doctest::Contains("scale the model"),
+                             GeometryError);
+    const double sphericity = shape_moments(scaled(1)).solid.sphericity;
+    for (const double factor : {1e-45, 1e-30, 1e30, 1e45})
+        CHECK(shape_moments(scaled(factor)).solid.sphericity == doctest::Approx(sphericity));
+}
+
 TEST_CASE("the frame has the same bits at one thread and at many") {
     TriangleMesh mesh = tetrahedron();
     for (int i = 0; i < 8; ++i)

@@ -28,7 +28,8 @@ constexpr unsigned tile = 8;
 /// Adds up d[l][lane] times the eight numbers x[l]. The compiler may use wider vectors where the machine has
 /// them: each sum stays in the same order.
 template<typename Real>
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__) // sanitizers are not ready when the loader chooses
 __attribute__((target_clones("avx2", "default")))
 #endif
 void accumulate(const Real* d, std::size_t degrees, const Real* x, Real* sums) {

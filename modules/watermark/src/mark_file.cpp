@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/watermark/mark_file.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/mesh/measure.hpp>
 #include <wm3d/payload/recipients.hpp>
 #include <wm3d/watermark/receipt.hpp>
 
@@ -121,6 +123,37 @@ std::string remedy(const io::Model& model, const key::Key& key, const MarkModelO
                                                       : "subdivide the model first");
 }
 
+/// Median of the surface's edges; 0 without one.
+double typical_edge(const TriangleMesh& mesh) {
+    std::vector<double> edges;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            edges.push_back((mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).norm());
+    if (edges.empty())
+        return 0;
+    const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
+    std::nth_element(edges.begin(), middle, edges.end());
+    return *middle;
+}
+
+/// Whether the model lies so far away, as maps have them, that its file's numbers hold steps and no shape; then
+/// that is the loss.
+bool lies_too_far(const io::Model& model, MarkedModel& result) {
+    constexpr double near = 100;         // times its own size
+    constexpr double fine_enough = 0.25; // of an edge
+    const Box box = surface_box(model.mesh());
+    const double distance = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+    const double edge = typical_edge(model.mesh());
+    if (distance <= near * box.diagonal() || result.coordinate_step <= fine_enough * edge)
+        return false;
+    result.loss = Loss::distance;
+    result.remedy = fmt::format("at {:.2g} from the origin the file's numbers are {:.2g} apart, too coarse "
+                                "for edges of {:.2g}; export "
+                                "the model in double precision, or move it to the origin before it is stored",
+                                distance, result.coordinate_step, edge);
+    return true;
+}
+
 io::Format format_of(const std::filesystem::path& path, const std::optional<io::Format>& fallback) {
     if (const auto format = io::format_of_name(path.filename().string()))
         return *format;
@@ -142,7 +175,8 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.marked = mark(model.mesh(), key, options.mark, progress);
     } catch (const TooVisible& reason) {
         result.loss = Loss::visibility;
-        result.remedy = fmt::format("{}; {}", reason.what(), remedy(model, key, options, result));
+        if (!lies_too_far(model, result))
+            result.remedy = fmt::format("{}; {}", reason.what(), remedy(model, key, options, result));
         return result;
     }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
@@ -175,7 +209,9 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
         options.mark.shares = payload::shares_of_weak_copies;
         result = mark_once(model, key, options, progress);
     }
-    if (result.loss != Loss::none && result.loss != Loss::visibility)
+    if (result.loss == Loss::power)
+        lies_too_far(model, result);
+    if (result.loss != Loss::none && result.remedy.empty())
         result.remedy = remedy(model, key, options, result);
     return result;
 }
@@ -186,7 +222,7 @@ std::string describe_loss(const MarkedModel& result, double pf) {
             "nothing was written, because what the mark says could not be read back (the mark itself is "
             "found with log10 p {:.1f}); {}",
             result.check.score.log10_p, result.remedy);
-    if (result.loss == Loss::visibility)
+    if (result.loss == Loss::visibility || result.loss == Loss::distance)
         return "nothing was written, because " + result.remedy;
     return fmt::format(
         "nothing was written, because the mark would not be found again (log10 p {:.1f}, {:.1f} is needed); "

@@ -109,6 +109,22 @@ TEST_CASE("a weak mark on an open model is given up without a search for minutes
     CHECK(found.loss == Loss::none);
 }
 
+TEST_CASE(
+    "maps: double precision bears 6,000 km, and single precision is told that its numbers are too coarse") {
+    TriangleMesh far = shapes::blob(3000, 3); // details of millimetres at a size of some metres
+    for (Vec3& p : far.positions)
+        p += Vec3(4.2e6, 6e5, 4.7e6);
+    const auto marked = [&](io::Format format) {
+        return mark_model(io::parse(io::encode(far, format), format, "far"), key_of_tests, {});
+    };
+    CHECK(marked(io::Format::obj).loss == Loss::none);
+    const MarkedModel coarse = marked(io::Format::stl); // always in single precision
+    CHECK(coarse.loss == Loss::distance);
+    const std::string sentence = describe_loss(coarse, default_pf);
+    CHECK(sentence.find("numbers are 0.5 apart") != std::string::npos);
+    CHECK(sentence.find("double precision") != std::string::npos);
+}
+
 TEST_CASE("a file in the way is found out before any work, and left alone") {
     const Workshop shop(tetrahedron());
     io::write_file(shop.out, "mine");

@@ -21,10 +21,11 @@ namespace wm3d::watermark {
 
 /// Why a mark that was laid down isn't found again.
 enum class Loss {
-    none,       ///< it is found
-    power,      ///< the mesh is too small or too plain for it, or its shape has no clear axes
-    storage,    ///< the file's coordinates are too coarse for it
-    content,    ///< it is found, but what it says besides can't be read
+    none,     ///< it is found
+    power,    ///< the mesh is too small or too plain for it, or its shape has no clear axes
+    storage,  ///< the file's coordinates are too coarse for it
+    content,  ///< it is found, but what it says besides can't be read
+    distance, ///< the model lies so far from the origin that the file's numbers hold no more than steps of it
     visibility, ///< none was laid down: every mark of the surface is seen more than was allowed
 };
 
