@@ -7,6 +7,7 @@
 #include <iostream>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 
 #include <doctest/doctest.h>
@@ -14,6 +15,9 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/io.hpp>
+#include <wm3d/mesh/neighbours.hpp>
+#include <wm3d/mesh/topology.hpp>
+#include <wm3d/mesh/weld.hpp>
 #include <wm3d/shapes/contour.hpp>
 #include <wm3d/shapes/shapes.hpp>
 #include <wm3d/shapes/turned.hpp>
@@ -183,6 +187,7 @@ constexpr Change changes[] = {{"holes", cut_holes},
                               {"flat", squeeze},
                               {"far away", place_far_away}};
 
+/// The mesh of a seed, whose changes are added to `history`.
 TriangleMesh generated(std::uint64_t seed, std::string& history) {
     Dice dice(seed);
     TriangleMesh mesh = base_shape(dice);
@@ -192,6 +197,88 @@ TriangleMesh generated(std::uint64_t seed, std::string& history) {
         change.apply(mesh, dice);
     }
     return mesh;
+}
+
+/// Whether the triangles around some vertex hang together by that vertex alone.
+bool has_pinched_vertex(const TriangleMesh& mesh) {
+    std::vector<std::vector<const Triangle*>> around(mesh.positions.size());
+    for (const Triangle& t : mesh.triangles)
+        for (const Index v : t)
+            around[v].push_back(&t);
+    return std::ranges::any_of(around, [](std::vector<const Triangle*>& rest) {
+        if (rest.empty())
+            return false;
+        std::vector<const Triangle*> fan{rest.back()};
+        rest.pop_back();
+        for (std::size_t k = 0; k < fan.size(); ++k)
+            for (std::size_t i = rest.size(); i-- > 0;) { // two corners in common are an edge at the vertex
+                const auto shared = std::ranges::count_if(
+                    *rest[i], [&](Index v) { return std::ranges::find(*fan[k], v) != fan[k]->end(); });
+                if (shared >= 2) {
+                    fan.push_back(rest[i]);
+                    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+                }
+            }
+        return !rest.empty();
+    });
+}
+
+/// Whether an edge passes through the inside of a triangle.
+bool cuts_itself(const TriangleMesh& mesh) {
+    const std::vector<Edge> edges = edges_of(mesh);
+    return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+        const Vec3 &a = mesh.positions[t[0]], &b = mesh.positions[t[1]], &c = mesh.positions[t[2]];
+        const auto volume = [](const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& s) {
+            return (q - p).cross(r - p).dot(s - p);
+        };
+        return std::ranges::any_of(edges, [&](const Edge& edge) {
+            const Vec3 &p = mesh.positions[edge.a], &q = mesh.positions[edge.b];
+            const double u = volume(p, q, a, b), v = volume(p, q, b, c), w = volume(p, q, c, a);
+            return volume(a, b, c, p) * volume(a, b, c, q) < 0 && u * v > 0 && v * w > 0;
+        });
+    });
+}
+
+bool has_doubles(const TriangleMesh& mesh) {
+    std::set<Triangle> seen;
+    return std::ranges::any_of(mesh.triangles, [&](Triangle t) {
+        std::ranges::sort(t);
+        return !seen.insert(t).second;
+    });
+}
+
+bool has_triangle(const TriangleMesh& mesh, double least, double most) {
+    return std::ranges::any_of(mesh.triangles, [&](const Triangle& t) {
+        const double double_area = (mesh.positions[t[1]] - mesh.positions[t[0]])
+                                       .cross(mesh.positions[t[2]] - mesh.positions[t[0]])
+                                       .norm();
+        const double longest = std::max({(mesh.positions[t[1]] - mesh.positions[t[0]]).squaredNorm(),
+                                         (mesh.positions[t[2]] - mesh.positions[t[1]]).squaredNorm(),
+                                         (mesh.positions[t[0]] - mesh.positions[t[2]]).squaredNorm()});
+        return double_area >= least * longest && double_area <= most * longest;
+    });
+}
+
+/// What a mesh is an example of.
+std::vector<std::string> kinds_of(const TriangleMesh& mesh, const std::string& history) {
+    const Topology topology = inspect_topology(mesh);
+    std::vector<std::string> kinds;
+    const auto add_if = [&](bool holds, const char* kind) {
+        if (holds)
+            kinds.emplace_back(kind);
+    };
+    add_if(topology.closed() && topology.components == 1 && topology.euler_characteristic < 2, "genus");
+    add_if(topology.boundary_loops > 0, "borders");
+    add_if(topology.components > 1, "parts");
+    add_if(topology.non_manifold_edges > 0, "edges of three triangles");
+    add_if(topology.misoriented_edges > 0, "triangles turned over");
+    add_if(has_pinched_vertex(mesh), "vertices of several fans");
+    add_if(has_doubles(mesh), "duplicates");
+    add_if(has_triangle(mesh, 1e-12, 1e-4), "slivers");
+    add_if(has_triangle(mesh, 0, 1e-15), "collinear");
+    if (history.find("self-intersections") != std::string::npos) // not tried where it would take long
+        add_if(cuts_itself(mesh), "self-intersections");
+    return kinds;
 }
 
 bool one_sentence(const std::string& text) {
@@ -240,6 +327,19 @@ void try_one(std::uint64_t seed, Counts& counts) {
 }
 
 } // namespace
+
+TEST_CASE("the generated meshes are of every kind") {
+    std::map<std::string, int> counts;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        std::string history;
+        const TriangleMesh mesh = generated(seed, history);
+        for (const std::string& kind : kinds_of(weld(mesh.positions, mesh.triangles).mesh, history))
+            ++counts[kind];
+    }
+    for (const auto& [kind, count] : counts)
+        MESSAGE(fmt::format("{:3} of 60: {}", count, kind));
+    CHECK(counts.size() == 10);
+}
 
 TEST_CASE("every mesh is marked and found, or refused in a sentence") {
     const char* asked = std::getenv("WM3D_PROPERTIES");

@@ -121,6 +121,31 @@ TEST_CASE("glTF: an external buffer becomes a side file of a new name, or goes i
     CHECK(mentions(input_error(Format::gltf, bytes), "out of reach"));
 }
 
+TEST_CASE(
+    "glTF: reading back takes side files as they will be, and everything else where the model came from") {
+    // Positions in one file, triangles in another, which stays.
+    std::string bytes = square_asset(
+        one_node, R"({"uri":"positions.bin","byteLength":48},{"uri":"triangles.bin","byteLength":12})");
+    const std::string before = R"("buffer":0,"byteOffset":48)";
+    bytes.replace(bytes.find(before), before.size(), R"("buffer":1)");
+    std::vector<std::string> asked;
+    bool refuses = false;
+    const Resolver guard = [&](std::string_view uri) {
+        asked.emplace_back(uri);
+        if (refuses)
+            throw InputError("outside of the model's folder");
+        return uri == "positions.bin" ? square_buffer().substr(0, 48) : square_buffer().substr(48);
+    };
+    const Model model = parse(bytes, Format::gltf, "model", guard);
+    const PatchedFiles files = model.patched_files(moved(model.mesh(), 0.01), "out.gltf");
+    REQUIRE(files.side_files.size() == 1);
+    asked.clear();
+    CHECK(model.read_back(files).mesh().triangles == model.mesh().triangles);
+    CHECK(asked == std::vector<std::string>{"triangles.bin"});
+    refuses = true;
+    CHECK_THROWS_WITH_AS(model.read_back(files), doctest::Contains("outside"), InputError);
+}
+
 TEST_CASE("glTF: interleaved, quantized and unindexed positions") {
     // Normalized shorts at a stride of 8; a strip without indices.
     const std::string buffer = shorts({0, 0, 0, 7, 65535, 0, 0, 7, 0, 32768, 0, 7, 65535, 65535, 6, 7});
