@@ -20,6 +20,9 @@ function(wm3d_test name)
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
+    if(WM3D_SANITIZE OR WM3D_SANITIZE_THREADS) # which take many times as long
+        math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
+    endif()
     add_executable(${name} ${ARG_SRCS})
     set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # cases of different files may name the same helpers
     target_link_libraries(${name} PRIVATE wm3d_settings wm3d_doctest_main ${ARG_LINK})

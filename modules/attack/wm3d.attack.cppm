@@ -85,6 +85,7 @@ using wm3d::vertex_areas;
 using wm3d::vertex_normals;
 using wm3d::weld;
 using wm3d::Welded;
+using wm3d::whole_number;
 using wm3d::write_all;
 } // namespace wm3d
 

@@ -37,5 +37,6 @@ using wm3d::ThreadLimit;
 using wm3d::to_base64;
 using wm3d::to_hex;
 using wm3d::version;
+using wm3d::whole_number;
 using wm3d::write_all;
 } // namespace wm3d

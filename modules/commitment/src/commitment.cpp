@@ -9,6 +9,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/json_depth.hpp>
+#include <wm3d/core/json_number.hpp>
 #include <wm3d/core/version.hpp>
 
 namespace wm3d::commitment {
@@ -38,12 +39,15 @@ Commitment commitment_from(const ordered_json& json) {
     const ordered_json& key = json.at("key");
     c.key_fingerprint = key.at("fingerprint").get<std::string>();
     c.key_commitment = key.at("commitment").get<std::string>();
-    c.parameters.levels = key.at("levels").get<std::vector<unsigned>>();
+    c.parameters.levels.clear();
+    for (const ordered_json& level : key.at("levels"))
+        c.parameters.levels.push_back(whole_number<unsigned>(level));
     c.parameters.rmax = key.at("rmax").get<double>();
     c.parameters.reference_strength = key.at("reference_strength").get<double>();
-    c.settings.base_vertices = json.at("settings").at("base_vertices").get<std::uint64_t>();
+    c.settings.base_vertices = whole_number<std::uint64_t>(json.at("settings").at("base_vertices"));
     if (const auto receipt = json.find("receipt"); receipt != json.end())
-        c.receipt = {receipt->at("sha256").get<std::string>(), receipt->at("bytes").get<std::uint64_t>()};
+        c.receipt = {receipt->at("sha256").get<std::string>(),
+                     whole_number<std::uint64_t>(receipt->at("bytes"))};
     return c;
 }
 

@@ -88,6 +88,12 @@ TEST_CASE("what is no commitment is refused in one sentence") {
     std::string altered = whole;
     altered[altered.find("\"fingerprint\": \"") + 16] = 'x';
     CHECK(says(altered, "missing or out of range"));
+    for (const char* number :
+         {"2.01e302", "-1", "20000.0", "null", "18446744073709551616"}) { // found by fuzzing
+        std::string odd = whole;
+        odd.replace(odd.find("20000"), 5, number);
+        CHECK(says(odd, "missing or out of range"));
+    }
     CHECK(says(std::string(300, '[') + std::string(300, ']'), "brackets nest"));
 }
 

@@ -12,6 +12,7 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/hex.hpp>
 #include <wm3d/core/json_depth.hpp>
+#include <wm3d/core/json_number.hpp>
 
 #include "template_text.hpp"
 
@@ -63,7 +64,7 @@ Vec3 vector_from(const ordered_json& json) {
 }
 
 FileDigest digest_from(const ordered_json& json) {
-    return {json.at("sha256").get<std::string>(), json.at("bytes").get<std::uint64_t>()};
+    return {json.at("sha256").get<std::string>(), whole_number<std::uint64_t>(json.at("bytes"))};
 }
 
 Frame frame_from(const ordered_json& json) {
@@ -88,8 +89,8 @@ Receipt receipt_from(const ordered_json& json) {
     receipt.original = digest_from(json.at("files").at("original"));
     receipt.marked = digest_from(json.at("files").at("marked"));
     const ordered_json& mark = json.at("mark");
-    receipt.base_vertices = mark.at("base_vertices").get<std::uint64_t>();
-    receipt.level = mark.at("level").get<unsigned>();
+    receipt.base_vertices = whole_number<std::uint64_t>(mark.at("base_vertices"));
+    receipt.level = whole_number<unsigned>(mark.at("level"));
     receipt.gamma = mark.at("gamma").get<double>();
     receipt.rmax = mark.at("rmax").get<double>();
     receipt.rms_percent = mark.at("rms_percent").get<double>();

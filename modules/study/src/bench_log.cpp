@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/json_number.hpp>
 
 namespace wm3d::study {
 
@@ -38,8 +39,8 @@ BenchModel model_of(const ordered_json& json) {
     BenchModel model;
     model.error = json.value("error", "");
     model.fingerprint = json.value("mesh", "");
-    model.vertices = json.value("vertices", std::size_t{0});
-    model.triangles = json.value("triangles", std::size_t{0});
+    model.vertices = json.contains("vertices") ? whole_number<std::size_t>(json.at("vertices")) : 0;
+    model.triangles = json.contains("triangles") ? whole_number<std::size_t>(json.at("triangles")) : 0;
     return model;
 }
 
@@ -67,7 +68,7 @@ MarkName mark_name_of(const ordered_json& json) {
                                                           : MarkSize::Unit::strength;
     return {json.at("model").get<std::string>(),
             {unit, json.at(field_of(unit)).get<double>()},
-            json.at("key").get<std::size_t>()};
+            whole_number<std::size_t>(json.at("key"))};
 }
 
 ordered_json to_json(const MarkName& name, const BenchMark& mark) {
@@ -146,23 +147,23 @@ BenchItem item_of(const ordered_json& json) {
         return item;
     item.log10_p = number(json.at("log10_p"));
     item.sigmas = number(json.at("sigmas"));
-    item.hypotheses = json.at("hypotheses").get<std::size_t>();
-    item.level = json.at("level").get<unsigned>();
-    item.pose = json.at("pose").get<std::size_t>();
+    item.hypotheses = whole_number<std::size_t>(json.at("hypotheses"));
+    item.level = whole_number<unsigned>(json.at("level"));
+    item.pose = whole_number<std::size_t>(json.at("pose"));
     item.filter_t = json.at("filter").at("t").get<double>();
     item.filter_power = json.at("filter").at("power").get<double>();
-    item.vertices = json.at("vertices").get<std::size_t>();
+    item.vertices = whole_number<std::size_t>(json.at("vertices"));
     item.wrong = numbers(json.at("wrong_log10_p"));
     item.wrong_one = numbers(json.at("wrong_one_log10_p"));
     if (const auto found = json.find("searched"); found != json.end())
         item.searched =
-            SearchedResult{found->at("found").get<bool>(), found->at("centres").get<std::size_t>()};
+            SearchedResult{found->at("found").get<bool>(), whole_number<std::size_t>(found->at("centres"))};
     if (const auto found = json.find("assisted"); found != json.end())
         item.assisted = AssistedResult{number(found->at("log10_p")), found->at("aligned").get<bool>(),
                                        found->at("coverage").get<double>()};
     if (const auto found = json.find("payload"); found != json.end())
         item.payload = PayloadResult{
-            found->at("bits").get<std::size_t>(), found->at("raw_errors").get<std::size_t>(),
+            whole_number<std::size_t>(found->at("bits")), whole_number<std::size_t>(found->at("raw_errors")),
             found->at("read").get<bool>(), found->at("wrong").get<bool>(), number(found->at("log10_p"))};
     item.seconds = json.at("seconds").get<double>();
     return item;

@@ -8,6 +8,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/fnv.hpp>
+#include <wm3d/core/json_number.hpp>
 
 namespace wm3d::study {
 
@@ -31,7 +32,7 @@ ordered_json to_json(const std::string& setting, const Trial& t) {
 
 Trial trial_of(const ordered_json& json) {
     Trial t;
-    t.number = json.at("trial").get<std::size_t>();
+    t.number = whole_number<std::size_t>(json.at("trial"));
     t.log10_p = json.at("log10_p").get<double>();
     t.paper_nominal_p = json.at("paper_nominal_p").get<double>();
     t.paper_log10_p = json.at("paper_log10_p").get<double>();

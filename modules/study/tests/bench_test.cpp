@@ -124,8 +124,12 @@ TEST_CASE("results come back from the file, without a line that was cut off") {
     CHECK(std::filesystem::file_size(file.path) == whole);
     CHECK_THROWS_WITH_AS(BenchLog(file.path, {{"seed", 2}}), doctest::Contains("seed is 1 there and 2 here"),
                          InputError);
-    std::ofstream(file.path, std::ios::app) << "no JSON\n";
-    CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 6"), InputError);
+    for (const char* line :
+         {"no JSON", R"({"kind":"mark","model":"a.obj","strength_asked":0.1,"key":1e300})"}) {
+        std::ofstream(file.path, std::ios::app) << line << '\n';
+        CHECK_THROWS_WITH_AS(BenchLog(file.path, settings), doctest::Contains("line 6"), InputError);
+        std::filesystem::resize_file(file.path, whole);
+    }
 }
 
 TEST_CASE("results are the same at any number of threads, and only what lacks is done") {
