@@ -28,7 +28,7 @@ constexpr unsigned tile = 8;
 /// Adds up d[l][lane] times the eight numbers x[l]. The compiler may use wider vectors where the machine has
 /// them: each sum stays in the same order.
 template<typename Real>
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && \
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__) // sanitizers are not ready when the loader chooses
 __attribute__((target_clones("avx2", "default")))
 #endif
@@ -122,8 +122,9 @@ void RotationCorrelation<Real>::Tables::fill_band(std::size_t band) {
             pi * (static_cast<double>(angle(band, lane)) + 0.5) / static_cast<double>(samples);
         for (const auto& [m, n, start] : orders) {
             Real* block = d.data() + (band * rows + start) * lanes + lane;
-            wigner_d(bandwidth, m, n, beta,
-                     [&](unsigned l, double value) { block[(l - m) * lanes] = static_cast<Real>(value); });
+            wigner_d(bandwidth, m, n, beta, [block, first = m](unsigned l, double value) {
+                block[(l - first) * lanes] = static_cast<Real>(value);
+            });
         }
     }
 }
