@@ -61,7 +61,8 @@ std::string search_limits(const watermark::VerifyReport& report) {
         return ", and the rest alone doesn't tell where the mark lies (--resync search looks for it "
                "everywhere)";
     if (!report.search->complete)
-        return ", and the search was not wide enough for any cut (--effort 4 is)";
+        return fmt::format(", and the search was not wide enough for any cut (--effort {:g} is)",
+                           report.search->enough);
     return ", and the search would miss a mark of the usual strength on so little or so rough a surface";
 }
 

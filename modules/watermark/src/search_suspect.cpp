@@ -29,7 +29,8 @@ constexpr double pairs_about_own_centre = 24;
 constexpr double steady_gap = 0.2;
 /// Of the lattices of centres, in mean radii. At the usual strength a centre 0.03 off still shows a mark
 /// clearly; a centre 0.045 off shows most, for a third of the time.
-constexpr double wide_covering = 0.045, fine_covering = 0.03;
+/// A mark of the default visibility needs a centre within 0.03, and within 0.02 to stand out clearly.
+constexpr double wide_covering = 0.045, fine_covering = 0.03, close_covering = 0.02;
 
 /// The quick looks at mirror images and pieces have half of the search's share, the lattice of poses the
 /// other.
@@ -45,7 +46,7 @@ enum class Extent {
 
 /// A piece of the suspect that is examined as if it were all.
 struct Piece {
-    const Suspect& suspect;
+    const Suspect* suspect;
     search::Outline outline;
     std::optional<std::size_t> number; ///< none: the suspect itself
     Extent extent = Extent::none;
@@ -56,7 +57,7 @@ struct Units {
     search::Outline outline;
     TriangleMesh base;
 
-    explicit Units(const Piece& piece) : outline(piece.outline), base(piece.suspect.base) {
+    explicit Units(const Piece& piece) : outline(piece.outline), base(piece.suspect->base) {
         if (!(outline.radius > 0))
             throw GeometryError("all of the surface lies in one point, so it has no pose to search for");
         for (Vec3& p : base.positions)
@@ -80,6 +81,7 @@ private:
     double pairs_for(const Piece& piece, double wide) const;
     bool look_at_mirror_image();
     bool look_at_piece(Piece& piece);
+    void leave_to_whole(std::vector<Piece>& order) const;
     bool search_piece(const Piece& piece, double pairs);
     bool confirm(const Piece& piece, const Units& units, const search::Candidate& candidate);
     bool take(std::unique_ptr<Examination> examination, double log10_price, FoundPose pose);
@@ -98,7 +100,7 @@ private:
     search::PoseLattice lattice_;
     std::map<unsigned, sphere::Icosphere> spheres_;
     std::map<unsigned, search::KeyFunction> keys_;
-    std::vector<Vec3> wide_, fine_; ///< lattices of centres about the piece that is searched
+    std::vector<Vec3> wide_, fine_, close_; ///< lattices of centres about the piece that is searched
     std::size_t piece_count_ = 1;
     SearchResult result_;
 };
@@ -158,7 +160,7 @@ bool SuspectSearch::look_at_piece(Piece& piece) {
     ExaminationOptions options = seen_.options();
     options.resync = Resync::pca;
     options.poses.clear();
-    auto examination = std::make_unique<Examination>(piece.suspect, options, progress_);
+    auto examination = std::make_unique<Examination>(*piece.suspect, options, progress_);
     piece.extent = extent(piece.outline, *examination);
     const std::size_t best =
         detect::score_family(examination->family(), sequences_.function()).best.hypothesis;
@@ -189,13 +191,15 @@ std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const 
     return levels;
 }
 
-/// The likeliest places at the two likeliest levels; then the likeliest level on a wide lattice of centres,
-/// the next level, the mirror image, the fine lattice, and the rest.
+/// The likeliest places at the two likeliest levels, and closer together; then the likeliest level on a wide
+/// lattice of centres, the next level, the mirror image, the fine lattice, and the rest.
 std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
-    const std::vector<unsigned> levels = ordered_levels(piece.suspect.mesh.positions.size());
+    const std::vector<unsigned> levels = ordered_levels(piece.suspect->mesh.positions.size());
     wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.55 : 1));
     fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.1)
                                         : std::vector<Vec3>{};
+    close_ = piece.extent == Extent::all ? lattice_of_centres(units, close_covering, pairs * 0.08)
+                                         : std::vector<Vec3>{};
     const auto first = [&](double part) {
         const auto count = piece.extent == Extent::all ? std::ceil(part * static_cast<double>(wide_.size()))
                                                        : static_cast<double>(wide_.size());
@@ -208,6 +212,7 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
         result.push_back({levels[1], &key(levels[1]), false, first(0.35).first(soon)});
     if (piece.extent == Extent::near)
         return result;
+    result.push_back({levels.front(), &key(levels.front()), false, close_});
     result.push_back(
         {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).subspan(soon)});
     if (levels.size() > 1)
@@ -237,7 +242,7 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
                     pose.mirrors(),
                     piece.number};
     Frame frame = found.frame;
-    TriangleMesh mesh = piece.suspect.mesh, base = units.base;
+    TriangleMesh mesh = piece.suspect->mesh, base = units.base;
     if (pose.deformation != search::Deformation::none) {
         for (Vec3& p : base.positions)
             p = pose.undeformed(p);
@@ -245,7 +250,7 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
             p = pose.undeformed((p - units.outline.centroid) / units.outline.radius);
         frame.centroid.setZero();
     } else {
-        base = piece.suspect.base;
+        base = piece.suspect->base;
     }
     frame.scale = mean_radius(mesh, frame.centroid);
     found.frame.scale =
@@ -253,7 +258,7 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
     ExaminationOptions options = seen_.options();
     options.resync = Resync::icp;
     options.poses = {{frame, "search"}};
-    const Suspect undeformed{mesh, std::move(base), piece.suspect.stop, piece.suspect.telling};
+    const Suspect undeformed{mesh, std::move(base), piece.suspect->stop, piece.suspect->telling};
     const double log10_price = lattice_.log10_size(pose.deformation) + std::log10(3) +
                                std::log10(static_cast<double>(piece_count_)) - log10_half_share;
     return take(std::make_unique<Examination>(undeformed, options), log10_price, std::move(found));
@@ -267,7 +272,7 @@ bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
     options.deformation = effort_.deformation;
     if (piece.extent == Extent::near)
         options.finalists = 2;
-    const double expected_here = expected(units, evidence, piece.suspect);
+    const double expected_here = expected(units, evidence, *piece.suspect);
     SearchReport& report = result_.report;
     report.expected_sigmas =
         report.centres == 0 ? expected_here : std::min(report.expected_sigmas, expected_here);
@@ -298,6 +303,19 @@ double SuspectSearch::pairs_for(const Piece& piece, double wide) const {
     return std::min(pairs_of_effort_one / wide, whole ? pairs_of_whole : pairs_of_effort_one);
 }
 
+/// Where a piece is nearly all of the suspect, as a cut leaves crumbs, the suspect is searched first, and for it.
+void SuspectSearch::leave_to_whole(std::vector<Piece>& order) const {
+    constexpr double nearly_all = 0.8;
+    const double whole = surface_area(suspect_.mesh);
+    const auto large = std::ranges::find_if(order, [&](const Piece& piece) {
+        return piece.number && surface_area(piece.suspect->mesh) > nearly_all * whole;
+    });
+    if (large == order.end() || order.back().extent != Extent::all)
+        return;
+    large->extent = Extent::none;
+    std::rotate(order.begin(), order.end() - 1, order.end());
+}
+
 SearchResult SuspectSearch::run() {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<TriangleMesh> parts = pieces(suspect_.mesh);
@@ -306,21 +324,23 @@ SearchResult SuspectSearch::run() {
         suspects.push_back(simplify_suspect(part, seen_.options().vertices, progress_));
     std::vector<Piece> order;
     for (std::size_t k = 0; k < suspects.size(); ++k)
-        order.push_back({suspects[k], search::outline(suspects[k].mesh), k});
+        order.push_back({&suspects[k], search::outline(suspects[k].mesh), k});
     const search::Outline outline = search::outline(suspect_.mesh);
-    order.push_back({suspect_, outline, {}, extent(outline, seen_)});
+    order.push_back({&suspect_, outline, {}, extent(outline, seen_)});
     piece_count_ = order.size();
     result_.report.pieces = order.size();
 
     bool found = look_at_mirror_image();
     for (std::size_t k = 0; k + 1 < order.size() && !found; ++k)
         found = look_at_piece(order[k]);
+    leave_to_whole(order);
     const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
     const bool open = std::ranges::any_of(
         order, [](const Piece& piece) { return piece.extent == Extent::all && may_be_part(piece.outline); });
-    result_.report.complete = effort_.effort >= (open ? exhaustive_effort : 1);
+    result_.report.enough = open ? exhaustive_effort * static_cast<double>(wide) : 1;
+    result_.report.complete = effort_.effort >= result_.report.enough;
     for (std::size_t k = 0; k < order.size() && !found && effort_.effort > 0; ++k)
-        if (order[k].extent != Extent::none && order[k].suspect.telling > 0)
+        if (order[k].extent != Extent::none && order[k].suspect->telling > 0)
             found = search_piece(order[k], effort_.effort * pairs_for(order[k], static_cast<double>(wide)));
     result_.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return std::move(result_);

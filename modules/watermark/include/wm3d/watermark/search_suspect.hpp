@@ -54,7 +54,8 @@ struct SearchReport {
     double seconds = 0;
     double log10_hypotheses = 0; ///< that the pose paid for
     double expected_sigmas = 0;  ///< of a mark of the usual strength in the coarsest step of the search
-    bool complete = false;       ///< effort enough for any cut: 4, or 1 where there is no opening
+    double enough = 1;     ///< effort for any cut: 4 for each piece with an opening, or 1 where there is none
+    bool complete = false; ///< that was spent
     std::optional<FoundPose> pose;
 };
 
