@@ -38,7 +38,8 @@ std::vector<std::size_t> spread_evenly(const std::vector<double>& area, double w
     double before = 0;
     for (std::size_t f = 0; f < area.size(); ++f) {
         before += area[f];
-        while (chosen.size() < samples && before > (static_cast<double>(chosen.size()) + 0.5) * whole / samples)
+        while (chosen.size() < samples &&
+               before > (static_cast<double>(chosen.size()) + 0.5) * whole / samples)
             chosen.push_back(f);
     }
     return chosen;
