@@ -52,6 +52,29 @@ std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<con
     return g;
 }
 
+/// A residual as a filter counts it, and what a small addition to it counts.
+struct Counted {
+    std::vector<double> e, slope;
+};
+
+/// With Tukey's biweight: what lies far outside is the host's.
+Counted counted(std::vector<double> e, double bound) {
+    Counted result{std::move(e), {}};
+    result.slope.assign(result.e.size(), 1.0);
+    std::vector<double> sizes(result.e.size());
+    std::transform(result.e.begin(), result.e.end(), sizes.begin(), [](double x) { return std::abs(x); });
+    constexpr double deviations_per_median = 1.4826; // of a normal distribution
+    const double limit = bound * deviations_per_median * (sizes.empty() ? 0 : median(std::move(sizes)));
+    if (!(limit > 0)) // not bounded, or a polyhedron of flat sides
+        return result;
+    for (std::size_t i = 0; i < result.e.size(); ++i) {
+        const double square = std::pow(result.e[i] / limit, 2), rest = std::max(0.0, 1 - square);
+        result.e[i] *= rest * rest;
+        result.slope[i] = rest * (rest - 4 * square);
+    }
+    return result;
+}
+
 /// A surface that residuals are measured on.
 struct Geometry {
     int calming = 0;
@@ -82,10 +105,12 @@ struct Evidence::Core {
     std::vector<Geometry> geometries;         ///< the base itself first
     std::vector<std::size_t> geometry;        ///< per filter
     std::vector<std::vector<double>> weights; ///< per filter: a_i g_i
+    std::vector<std::vector<double>> slopes;  ///< per filter: what an addition to e counts
     std::vector<std::vector<double>> pulled;  ///< per filter: LP^T HP^T (a g e)
 
     Core(const TriangleMesh& base, EvidenceOptions chosen)
-        : options(std::move(chosen)), weights(options.filters.size()), pulled(options.filters.size()) {
+        : options(std::move(chosen)), weights(options.filters.size()), slopes(options.filters.size()),
+          pulled(options.filters.size()) {
         geometries.emplace_back(base, 0);
         for (const Filter& filter : options.filters)
             geometry.push_back(geometry_of(base, filter.calming));
@@ -99,7 +124,9 @@ struct Evidence::Core {
             weights[f] = residual_weights(surface, e, filter, options.variance_floor);
             for (std::size_t i = 0; i < e.size(); ++i)
                 weights[f][i] *= surface.mass()[i];
-            pulled[f] = pull(f, e);
+            Counted count = counted(e, filter.bound);
+            slopes[f] = std::move(count.slope);
+            pulled[f] = pull(f, count.e);
         });
     }
 
@@ -226,7 +253,9 @@ std::vector<double> Evidence::mark_weights_at(std::size_t f, const sphere::Spars
     const double unit = core_->rms(q);
     for (double& x : q)
         x *= unit > 0 ? move / unit : 0;
-    const std::vector<double> e = core_->high_pass(f, std::move(q)); // what the mark adds to the residual
+    std::vector<double> e = core_->high_pass(f, std::move(q)); // what the mark adds to the residual
+    for (std::size_t i = 0; i < e.size(); ++i)
+        e[i] *= core_->slopes[f][i];
     return seen(core_->geometry[f], core_->pull(f, e));
 }
 

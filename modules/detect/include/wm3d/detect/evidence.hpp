@@ -29,6 +29,9 @@ struct Filter {
     /// smoothed: noise and roundings tilt normals more than they move vertices. The residual stays that of
     /// the vertices themselves.
     int calming = 0;
+    /// Residuals count by Tukey's biweight of so many typical deviations, and those beyond for nothing: edges
+    /// of machined parts stand out of the rest as no mark does. 0: all count as they are.
+    double bound = 0;
 };
 
 struct EvidenceOptions {
@@ -36,9 +39,10 @@ struct EvidenceOptions {
     /// 7, says how these were chosen.
     std::vector<Filter> filters{{3e-5, 1.0, 3e-4},
                                 {2e-4, 0.5, 3e-3},
-                                {3e-5, 0.5, 1e-3, 3e-4},
+                                {3e-5, 0.5, 1e-3, 3e-4, 0, 6},
                                 {1e-4, 0.5, 1e-3, 3e-4, 3},
-                                {1e-3, 0.5, 1e-3, 0, 3}};
+                                {1e-3, 0.5, 1e-3, 0, 3},
+                                {3e-5, 0, 1e-3, 3e-4, 0, 6}};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
