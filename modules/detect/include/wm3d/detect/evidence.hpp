@@ -37,12 +37,9 @@ struct Filter {
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.
-    std::vector<Filter> filters{{3e-5, 1.0, 3e-4},
-                                {2e-4, 0.5, 3e-3},
-                                {3e-5, 0.5, 1e-3, 3e-4, 0, 6},
-                                {1e-4, 0.5, 1e-3, 3e-4, 3},
-                                {1e-3, 0.5, 1e-3, 0, 3},
-                                {3e-5, 0, 1e-3, 3e-4, 0, 6}};
+    std::vector<Filter> filters{
+        {3e-5, 1.0, 3e-4},          {2e-4, 0.5, 3e-3},       {3e-5, 0.5, 1e-3, 3e-4, 0, 6},
+        {1e-4, 0.5, 1e-3, 3e-4, 3}, {1e-3, 0.5, 1e-3, 0, 3}, {3e-5, 0, 1e-3, 3e-4, 0, 6}};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
