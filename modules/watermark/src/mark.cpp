@@ -281,10 +281,14 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.diagonal = diagonal_;
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
+    const auto laid = [&](double strength) {
+        std::vector<Vec3> positions = layout.positions(strength);
+        embed::turn_back(canonical_, positions);
+        return in_file(positions);
+    };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {
-        const masking::Fit fit = budget().fit([&](double trial) { return in_file(layout.positions(trial)); },
-                                              *setting.visibility, first_strength);
+        const masking::Fit fit = budget().fit(laid, *setting.visibility, first_strength);
         if (!(fit.strength > 0))
             throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
                                          "weak",
@@ -297,11 +301,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.gamma = strength / layout.unit;
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
-    std::vector<Vec3> positions = layout.positions(strength);
-    const bool gave_way = embed::turn_back(canonical_, positions) > 0;
-    marked.positions = in_file(positions);
-    if (gave_way && marked.msdm2)
-        marked.msdm2 = budget().visible(marked.positions);
+    marked.positions = laid(strength);
     marked.distortion = embed::distortion(mesh_, marked.positions);
     marked.positions = in_given_order(marked.positions);
     return marked;
