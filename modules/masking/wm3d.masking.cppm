@@ -151,7 +151,6 @@ using wm3d::metrics::Msdm2;
 using wm3d::metrics::msdm2_mean;
 using wm3d::metrics::Msdm2Options;
 using wm3d::metrics::Msdm2Sample;
-using wm3d::metrics::NumberedTriangle;
 using wm3d::metrics::OneSidedDistance;
 using wm3d::metrics::Options;
 using wm3d::metrics::Report;

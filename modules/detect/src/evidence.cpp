@@ -61,12 +61,14 @@ struct Counted {
 Counted counted(std::vector<double> e, double bound) {
     Counted result{std::move(e), {}};
     result.slope.assign(result.e.size(), 1.0);
+    if (bound == 0)
+        return result;
     std::vector<double> sizes(result.e.size());
     std::transform(result.e.begin(), result.e.end(), sizes.begin(), [](double x) { return std::abs(x); });
     constexpr double deviations_per_median = 1.4826; // of a normal distribution
     const double limit = bound * deviations_per_median * (sizes.empty() ? 0 : median(std::move(sizes)));
     constexpr double solvers_own = 1e-5; // of mean radii: what its tolerance leaves on a flat side
-    if (!(limit > solvers_own))          // not bounded, or flat sides for the most part
+    if (!(limit > solvers_own))          // flat sides for the most part
         return result;
     for (std::size_t i = 0; i < result.e.size(); ++i) {
         const double square = std::pow(result.e[i] / limit, 2), rest = std::max(0.0, 1 - square);

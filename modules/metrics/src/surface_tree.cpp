@@ -36,7 +36,7 @@ ClosestPoint SurfaceTree::closest(const Vec3& query) const {
 ClosestPoint SurfaceTree::closest(const Vec3& query, Index near) const {
     NearestTriangle known;
     if (has_area(near))
-        known.improve(query, numbered(near));
+        known.improve(query, boxes_->numbered(near));
     return on(boxes_->nearest(query, known).triangle, query);
 }
 
@@ -51,7 +51,7 @@ ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec
     NearestTriangle best;
     for (Index f : triangles)
         if (has_area(f))
-            best.improve(query, numbered(f));
+            best.improve(query, boxes_->numbered(f));
     return on(best.triangle, query);
 }
 
@@ -61,11 +61,6 @@ double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& qu
 
 bool SurfaceTree::has_area(Index triangle) const {
     return area_vector(*mesh_, triangle).squaredNorm() > 0;
-}
-
-NumberedTriangle SurfaceTree::numbered(Index triangle) const {
-    const Triangle& t = mesh_->triangles[triangle];
-    return {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]], triangle};
 }
 
 ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {

@@ -45,6 +45,9 @@ public:
     /// \pre  triangles is not empty
     TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles);
 
+    /// Any triangle of the mesh, in the tree or not.
+    NumberedTriangle numbered(Index triangle) const;
+
     /// The triangle closest to the query, in the sense of `improve`. `known` is an answer that may be
     /// bettered: the closer it is, the shorter the search.
     NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
@@ -63,7 +66,6 @@ private:
     template<typename Wanted>
     NearestTriangle search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const;
     void build(std::size_t node, std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
-    NumberedTriangle numbered(Index triangle) const;
     bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
 
     const TriangleMesh& mesh_;

@@ -108,9 +108,6 @@ private:
     void score_wrong_keys(BenchItem& item, const ItemName& name, const watermark::Examination& suspect) const;
     void search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
                 const watermark::Examination& seen, watermark::Sequences& sequences) const;
-    detect::FamilyScore score_of_look(const watermark::Examination& examination,
-                                      const watermark::Suspect& suspect,
-                                      watermark::Sequences& sequences) const;
     AssistedResult assisted(const watermark::Suspect& suspect, const key::Secret& secret) const;
 
     const TriangleMesh& mesh_;
@@ -208,18 +205,6 @@ void ModelBench::tell(BenchItem& item, const MarkName& name, const watermark::Ex
             watermark::content_statistic(examination.family(), score.best.hypothesis, sequences(best.level)));
 }
 
-/// With what else is tried where nothing is found paid for, as verify does.
-detect::FamilyScore ModelBench::score_of_look(const watermark::Examination& examination,
-                                              const watermark::Suspect& suspect,
-                                              watermark::Sequences& sequences) const {
-    detect::FamilyScore score = detect::score_family(examination.family(), sequences.function());
-    if (watermark::can_look_closer(suspect))
-        score = watermark::one_of_two_looks(score);
-    if (setting_.search_effort > 0)
-        score.log10_p = watermark::beside_search(score.log10_p);
-    return score;
-}
-
 /// As verify goes on where the quick look found nothing.
 void ModelBench::search(BenchItem& item, const MarkName& name, const watermark::Suspect& suspect,
                         const watermark::Examination& seen, watermark::Sequences& sequences) const {
@@ -246,10 +231,14 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     watermark::Sequences sequences(secret, setting_.parameters.rmax);
 
     BenchItem item;
-    tell(item, name.mark, examination, score_of_look(examination, suspect, sequences), sequences);
-    if (watermark::can_look_closer(suspect) && item.log10_p > log10_searched_pf) {
+    const bool may_look_closer = watermark::can_look_closer(suspect);
+    const auto score_of = [&](const watermark::Examination& look) {
+        return watermark::score_look(look.family(), sequences, may_look_closer, setting_.search_effort > 0);
+    };
+    tell(item, name.mark, examination, score_of(examination), sequences);
+    if (may_look_closer && item.log10_p > log10_searched_pf) {
         const watermark::Examination closer = watermark::look_closer(suspect, examination);
-        const detect::FamilyScore score = score_of_look(closer, suspect, sequences);
+        const detect::FamilyScore score = score_of(closer);
         if (score.log10_p < item.log10_p)
             tell(item, name.mark, closer, score, sequences);
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/watermark/search_suspect.hpp>
+
 namespace wm3d::watermark {
 
 bool can_look_closer(const Suspect& suspect) {
@@ -24,6 +26,16 @@ Examination look_closer(const Suspect& suspect, const Examination& first) {
 detect::FamilyScore one_of_two_looks(detect::FamilyScore score) {
     score.hypotheses *= 2;
     score.log10_p = std::min(0.0, score.log10_p + std::log10(2.0));
+    return score;
+}
+
+detect::FamilyScore score_look(std::span<const detect::Hypothesis> family, Sequences& sequences, bool twice,
+                               bool searched) {
+    detect::FamilyScore score = detect::score_family(family, sequences.function());
+    if (twice)
+        score = one_of_two_looks(score);
+    if (searched)
+        score.log10_p = beside_search(score.log10_p);
     return score;
 }
 

@@ -208,15 +208,9 @@ SearchEffort effort_of(const VerifyOptions& options) {
     return effort;
 }
 
-/// The score of a look, with what else may be tried paid for.
 detect::FamilyScore score_of_look(const Hypotheses& look, const Suspect& suspect, Sequences& sequences,
                                   const VerifyOptions& options) {
-    detect::FamilyScore score = detect::score_family(look.family, sequences.function());
-    if (may_look_closer(suspect, options))
-        score = one_of_two_looks(score);
-    if (may_search(options))
-        score.log10_p = beside_search(score.log10_p);
-    return score;
+    return score_look(look.family, sequences, may_look_closer(suspect, options), may_search(options));
 }
 
 /// The same hypotheses on all of the suspect's vertices; those of a difference from a reference stay as they are.

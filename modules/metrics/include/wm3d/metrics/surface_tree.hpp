@@ -16,8 +16,6 @@ struct ClosestPoint {
     double distance = 0; ///< in units of the mesh
 };
 
-struct NumberedTriangle;
-
 /// A tree of boxes over the triangles of a mesh. Triangles without area are left out. Queries may run on
 /// several threads. The mesh must outlive the tree.
 class SurfaceTree {
@@ -49,7 +47,6 @@ public:
 
 private:
     bool has_area(Index triangle) const;
-    NumberedTriangle numbered(Index triangle) const;
     ClosestPoint on(Index triangle, const Vec3& query) const;
 
     const TriangleMesh* mesh_;

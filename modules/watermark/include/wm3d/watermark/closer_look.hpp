@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
 #include <wm3d/detect/family.hpp>
 #include <wm3d/watermark/examination.hpp>
+#include <wm3d/watermark/sequences.hpp>
 
 namespace wm3d::watermark {
 
@@ -23,5 +25,11 @@ Examination look_closer(const Suspect& suspect, const Examination& first);
 
 /// The score of one of two looks with as many hypotheses each: both are paid for, made or not.
 detect::FamilyScore one_of_two_looks(detect::FamilyScore score);
+
+/// The score of a look, with what else is tried where nothing is found paid for, whether it will be needed or not.
+/// \param twice     a look of two
+/// \param searched  before a search
+detect::FamilyScore score_look(std::span<const detect::Hypothesis> family, Sequences& sequences, bool twice,
+                               bool searched);
 
 } // namespace wm3d::watermark
