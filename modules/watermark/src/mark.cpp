@@ -282,9 +282,9 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
     const auto laid = [&](double strength) {
-        std::vector<Vec3> positions = layout.positions(strength);
-        embed::turn_back(canonical_, positions);
-        return in_file(positions);
+        std::vector<Vec3> positions = in_file(layout.positions(strength));
+        embed::turn_back(mesh_, positions); // the canonical frame has no digits left for the smallest parts
+        return positions;
     };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/io/encode.hpp>
 #include <wm3d/shapes.hpp>
 
@@ -123,6 +124,22 @@ TEST_CASE(
     const std::string sentence = describe_loss(coarse, default_pf);
     CHECK(sentence.find("numbers are 0.5 apart") != std::string::npos);
     CHECK(sentence.find("double precision") != std::string::npos);
+}
+
+TEST_CASE("a part too small for any digit of the whole's own frame keeps its faces upright") {
+    TriangleMesh mesh = shapes::blob(2000, 4);
+    for (Vec3& p : mesh.positions)
+        p *= 1e17;
+    const TriangleMesh part = shapes::blob(200, 7);
+    const auto first = static_cast<Index>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), part.positions.begin(), part.positions.end());
+    for (const Triangle& t : part.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+    MarkOptions options;
+    options.strength = 0.3;
+    const Marked marked = mark(mesh, key_of_tests, options);
+    CHECK(marked.positions != mesh.positions);
+    CHECK(embed::turned_faces(mesh, marked.positions).empty());
 }
 
 TEST_CASE("a file in the way is found out before any work, and left alone") {
