@@ -271,27 +271,17 @@ std::string bench_markdown(const BenchSummary& summary) {
 }
 
 std::string bench_csv(const BenchResults& results) {
-    report::Table table{{"model",
-                         "size",
-                         "size_percent",
-                         "key",
-                         "attack",
-                         "strength_percent",
-                         "mrms_percent",
-                         "msdm2",
-                         "log10_p",
-                         "sigmas",
-                         "hypotheses",
-                         "level",
-                         "pose",
-                         "filter_t",
-                         "filter_power",
-                         "vertices",
-                         "assisted_log10_p",
-                         "payload_bits",
-                         "payload_raw_errors",
-                         "payload_read",
-                         "payload_log10_p",
+    report::Table table{{"model",        "size",
+                         "size_percent", "key",
+                         "attack",       "strength_percent",
+                         "mrms_percent", "msdm2",
+                         "log10_p",      "sigmas",
+                         "hypotheses",   "level",
+                         "pose",         "filter_t",
+                         "filter_power", "filter_hinges",
+                         "vertices",     "assisted_log10_p",
+                         "payload_bits", "payload_raw_errors",
+                         "payload_read", "payload_log10_p",
                          "error"},
                         {}};
     for (const auto& [name, item] : results.items) {
@@ -306,7 +296,8 @@ std::string bench_csv(const BenchResults& results) {
             row.insert(row.end(), {fmt::format("{:.6g}", item.log10_p), fmt::format("{:.6g}", item.sigmas),
                                    fmt::format("{}", item.hypotheses), fmt::format("{}", item.level),
                                    fmt::format("{}", item.pose), fmt::format("{:g}", item.filter_t),
-                                   fmt::format("{:g}", item.filter_power), fmt::format("{}", item.vertices),
+                                   fmt::format("{:g}", item.filter_power),
+                                   fmt::format("{:g}", item.filter_hinges), fmt::format("{}", item.vertices),
                                    item.assisted ? fmt::format("{:.6g}", item.assisted->log10_p) : ""});
             const std::vector<std::string> payload = payload_fields(item.payload);
             row.insert(row.end(), payload.begin(), payload.end());

@@ -160,7 +160,7 @@ std::string figures(const watermark::VerifyReport& report) {
         report.score.log10_p, report.score.hypotheses, report.score.best.sigmas, report.expected_sigmas,
         report.base_vertices, report.level, report.pose);
     if (report.filter)
-        text += fmt::format(", filter t = {:g}, power {:g}", report.filter->t, report.filter->power);
+        text += ", " + detect::describe(*report.filter);
     if (report.by_difference)
         text += ", difference from the reference";
     text += fmt::format(" ({})", report.pose_origin);
@@ -270,7 +270,8 @@ ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyRe
     if (report.doubt != watermark::Doubt::none)
         json["reason"] = name(report.doubt);
     if (report.filter)
-        json["filter"] = {{"t", report.filter->t}, {"power", report.filter->power}};
+        json["filter"] = {
+            {"t", report.filter->t}, {"power", report.filter->power}, {"hinges", report.filter->hinges}};
     if (report.search) {
         json["search"] = search_json(*report.search);
         if (report.search->pose) // more than an integer holds

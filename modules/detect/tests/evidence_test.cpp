@@ -2,6 +2,7 @@
 #include <wm3d/detect/evidence.hpp>
 
 #include <cmath>
+#include <numbers>
 
 #include <doctest/doctest.h>
 
@@ -42,6 +43,25 @@ TriangleMesh marked(TriangleMesh mesh, const sphere::SparseRows& rows, std::span
     const std::vector<double> delta = sphere::multiply(rows, w);
     for (std::size_t i = 0; i < delta.size(); ++i)
         mesh.positions[i] *= 1 + gamma * delta[i] / mesh.positions[i].norm();
+    return mesh;
+}
+
+/// Round steps, one upon the other, with all vertices on their rims: plane treads and cylindrical risers.
+TriangleMesh steps() {
+    constexpr Index around = 400, rings = 12;
+    TriangleMesh mesh;
+    for (Index ring = 0; ring < rings; ++ring)
+        for (Index k = 0; k < around; ++k) {
+            const double angle = 2 * std::numbers::pi * k / around, radius = 1.5 - 0.25 * ((ring + 1) / 2);
+            mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                        0.3 * (ring / 2) - 0.8);
+        }
+    for (Index ring = 0; ring + 1 < rings; ++ring)
+        for (Index k = 0; k < around; ++k) {
+            const Index a = ring * around + k, b = ring * around + (k + 1) % around;
+            mesh.triangles.push_back({a, b, b + around});
+            mesh.triangles.push_back({a, b + around, a + around});
+        }
     return mesh;
 }
 
@@ -103,6 +123,21 @@ TEST_CASE("bounding the residual finds a mark among sharp edges that would drown
         return t.value(w) / t.sigma();
     };
     CHECK(sigmas(6) > 2 * std::max(sigmas(0), 2.0));
+}
+
+TEST_CASE(
+    "hinges find a mark on a part whose every vertex lies on a sharp edge, where diffusions find nothing") {
+    const TriangleMesh host = steps();
+    const sphere::SparseRows rows = rows_of(host);
+    const std::vector<double> w = sequence(8);
+    const TriangleMesh suspect = marked(host, rows, w, 0.002);
+    const auto sigmas = [&](const Filter& filter) {
+        EvidenceOptions options;
+        options.filters = {filter};
+        const LinearStatistic t = Evidence(suspect, options).statistic(0, rows, rmax);
+        return t.value(w) / t.sigma();
+    };
+    CHECK(sigmas(Filter::of_hinges(2e-4, true)) > 2 * std::max(3.0, sigmas({3e-5, 1.0, 3e-4})));
 }
 
 TEST_CASE("surfaces that say little are borne: flat, tiny, degenerate") {

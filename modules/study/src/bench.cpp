@@ -199,6 +199,7 @@ void ModelBench::tell(BenchItem& item, const MarkName& name, const watermark::Ex
     item.pose = best.pose;
     item.filter_t = filter.t;
     item.filter_power = filter.power;
+    item.filter_hinges = filter.hinges;
     if (setting_.payload > 0)
         item.payload = payload_result(
             name, best.level,

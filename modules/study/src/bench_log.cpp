@@ -108,15 +108,16 @@ ordered_json to_json(const ItemName& name, const BenchItem& item) {
         json["error"] = item.error;
         return json;
     }
-    json.update({{"log10_p", item.log10_p},
-                 {"sigmas", item.sigmas},
-                 {"hypotheses", item.hypotheses},
-                 {"level", item.level},
-                 {"pose", item.pose},
-                 {"filter", {{"t", item.filter_t}, {"power", item.filter_power}}},
-                 {"vertices", item.vertices},
-                 {"wrong_log10_p", item.wrong},
-                 {"wrong_one_log10_p", item.wrong_one}});
+    json.update(
+        {{"log10_p", item.log10_p},
+         {"sigmas", item.sigmas},
+         {"hypotheses", item.hypotheses},
+         {"level", item.level},
+         {"pose", item.pose},
+         {"filter", {{"t", item.filter_t}, {"power", item.filter_power}, {"hinges", item.filter_hinges}}},
+         {"vertices", item.vertices},
+         {"wrong_log10_p", item.wrong},
+         {"wrong_one_log10_p", item.wrong_one}});
     if (item.searched)
         json["searched"] = {{"found", item.searched->found}, {"centres", item.searched->centres}};
     if (item.assisted)
@@ -152,6 +153,7 @@ BenchItem item_of(const ordered_json& json) {
     item.pose = whole_number<std::size_t>(json.at("pose"));
     item.filter_t = json.at("filter").at("t").get<double>();
     item.filter_power = json.at("filter").at("power").get<double>();
+    item.filter_hinges = json.at("filter").value("hinges", 0.0); // logs of 0.2.0 have none
     item.vertices = whole_number<std::size_t>(json.at("vertices"));
     item.wrong = numbers(json.at("wrong_log10_p"));
     item.wrong_one = numbers(json.at("wrong_one_log10_p"));

@@ -61,9 +61,7 @@ Calibration calibrate(const watermark::Examination& suspect, unsigned level, std
     const sphere::SparseRows rows = suspect.rows(0, level);
     for (std::size_t f = 0; f < suspect.evidence().filters(); ++f) {
         statistics.push_back(suspect.evidence().statistic(f, rows, suspect.options().rmax));
-        const detect::Filter filter = suspect.evidence().filter(f);
-        result.counts.push_back(
-            {fmt::format("whitened, t = {:g}, power {:g}", filter.t, filter.power), pf, {}});
+        result.counts.push_back({"whitened, " + detect::describe(suspect.evidence().filter(f)), pf, {}});
         thresholds.emplace_back();
         for (double p : pf)
             thresholds.back().push_back(detect::tail_quantile(statistics.back(), std::log10(p)));

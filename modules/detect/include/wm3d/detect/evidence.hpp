@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <wm3d/detect/cell_samples.hpp>
@@ -15,7 +16,7 @@
 
 namespace wm3d::detect {
 
-/// One high pass with one weighting of the residual.
+/// One residual of the surface with one weighting: what a diffusion takes away, or the folds at the edges.
 struct Filter {
     double t;     ///< time of the diffusion that is taken away, in units of mean radius squared
     double power; ///< the residual counts as (local variance)^-power: 0 plain, 1 as on a host of varying
@@ -32,14 +33,27 @@ struct Filter {
     /// Residuals count by Tukey's biweight of so many typical deviations, and those beyond for nothing: edges
     /// of machined parts stand out of the rest as no mark does. 0: all count as they are.
     double bound = 0;
+    /// Above 0: in place of all of the above, the folds at the edges are the residual, where two triangles of
+    /// one plane have none. They count by Cauchy's weights of this scale, in units of the mean radius: the mark
+    /// tells in folds of about its own size, however many larger ones a machined part has.
+    double hinges = 0;
+    /// The statistic's coefficients count by the roots of their sizes: where the mark is strong, it is its own
+    /// noise, and few places with many or stiff triangles would drown the others.
+    bool evened = false;
+
+    static Filter of_hinges(double scale, bool evened) { return {0, 0, 0, 0, 0, 0, scale, evened}; }
 };
+
+/// "filter t = 0.0002, power 0.5", or "hinges of 0.001".
+std::string describe(const Filter& filter);
 
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.
     std::vector<Filter> filters{
-        {3e-5, 1.0, 3e-4},          {2e-4, 0.5, 3e-3},       {3e-5, 0.5, 1e-3, 3e-4, 0, 6},
-        {1e-4, 0.5, 1e-3, 3e-4, 3}, {1e-3, 0.5, 1e-3, 0, 3}, {3e-5, 0, 1e-3, 3e-4, 0, 6}};
+        Filter::of_hinges(2e-4, true), {2e-4, 0.5, 3e-3},       {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, true},
+        {1e-4, 0.5, 1e-3, 3e-4, 3},    {1e-3, 0.5, 1e-3, 0, 3}, Filter::of_hinges(1e-3, false),
+        Filter::of_hinges(5e-3, false)};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
@@ -61,8 +75,8 @@ public:
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
     std::span<const double> visibility() const { return visibility_.front(); }
 
-    /// q = diag(d.n) HP^T (a g e), #base vertices: T is the sum of q_i times the bump in the direction of
-    /// vertex i, wherever the sphere lies.
+    /// q = diag(d.n) HP^T (a g e), or diag(d.n) J^T (g r) for folds r = J x, #base vertices: T is the sum of q_i
+    /// times the bump in the direction of vertex i, wherever the sphere lies, unless the filter is evened.
     std::vector<double> weights_at(std::size_t f) const;
 
     /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
@@ -71,7 +85,8 @@ public:
                                         std::span<const double> w, double move) const;
 
     /// T = sum_j c_j w_j with c = B^T diag(d.n) LP^T HP^T (a g e): a the vertex areas, e the normal residual
-    /// n . HP x, g its weights, HP = I - (M + tL)^-1 M, LP the low pass of the template, if it has one.
+    /// n . HP x, g its weights, HP = I - (M + tL)^-1 M, LP the low pass of the template, if it has one. For
+    /// hinges c = B^T diag(d.n) J^T (g r). Evened: the roots of these, with their signs.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
 
     /// The same with what is read at a vertex spread over the points around it; `rows` are B for the samples.
@@ -82,15 +97,9 @@ public:
     /// units of mean radius); 0 if no gamma does.
     double gamma(const sphere::SparseRows& rows, std::span<const double> w, double move) const;
 
-    /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
-    /// radius), adds to T if it sits on this very mesh, vertex for vertex: its own residual takes the host's
-    /// place in c.
-    LinearStatistic mark_statistic(std::size_t f, const sphere::SparseRows& rows, std::span<const double> w,
-                                   double rmax, double move) const;
-
     /// How T of the sequence w grows with the base vertices' moves, #base vectors, to first order and with
-    /// normals, areas and weights held: HP^T (a g HP LP (diag(d.n) B w)) n. The detector's own template of
-    /// the mark.
+    /// normals, areas and weights held, before it is evened: HP^T (a g HP LP (diag(d.n) B w)) n for a
+    /// diffusion. The detector's own template of the mark.
     std::vector<Vec3> gradient(std::size_t f, const sphere::SparseRows& rows,
                                std::span<const double> w) const;
 
@@ -104,6 +113,7 @@ private:
     struct Core; ///< what doesn't depend on the centre
     Evidence(std::shared_ptr<const Core> core, const Vec3& centre);
 
+    LinearStatistic counted(std::size_t f, std::vector<double> coefficients, double rmax) const;
     std::vector<double> normal_bumps(std::size_t geometry, const sphere::SparseRows& rows,
                                      std::span<const double> w) const;
     std::vector<double> seen(std::size_t geometry, std::span<const double> pulled) const;

@@ -96,9 +96,9 @@ struct BenchItem {
     std::size_t hypotheses = 0;
     unsigned level = 0;
     std::size_t pose = 0;
-    double filter_t = 0, filter_power = 0;
-    std::size_t vertices = 0;  ///< of the attacked mesh
-    std::vector<double> wrong; ///< log10 p of wrong keys, family-wise
+    double filter_t = 0, filter_power = 0, filter_hinges = 0; ///< of the best: detect::Filter
+    std::size_t vertices = 0;                                 ///< of the attacked mesh
+    std::vector<double> wrong;                                ///< log10 p of wrong keys, family-wise
     std::vector<double>
         wrong_one; ///< log10 p of the same keys in the first hypothesis alone: exact, so uniform
     std::optional<SearchedResult> searched;

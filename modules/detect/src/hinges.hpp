@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  Hinges: the edges of a surface with the two triangles at each, and how far these are from one plane.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <wm3d/mesh/triangle_mesh.hpp>
+
+namespace wm3d::detect {
+
+/// The edges with two triangles, and for each the fold r = n . sum_k c_k x_k over its two ends and the two corners
+/// opposite: c is the affine dependency of the four after unfolding, of length 1, and n the mean normal. Two coplanar
+/// triangles have r = 0; independent moves of vertices by s along n change any fold by s in the root mean square.
+/// Left out are edges without length, with triangles without area, and those folded back to 180 degrees.
+class Hinges {
+public:
+    /// \param normals  unit normals of the vertices, #V, along which moves are made; has to outlive it
+    Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals);
+
+    std::size_t size() const { return hinges_.size(); }
+
+    /// r of the mesh as it is, #hinges.
+    std::vector<double> folds() const;
+
+    /// J q: what moves q along the vertices' normals, #V, add to r; the hinges' normals held.
+    std::vector<double> folds_of(std::span<const double> moves) const;
+
+    /// J^T y, #V, summed in the order of the hinges.
+    std::vector<double> transposed(std::span<const double> y) const;
+
+    /// The sum of y_h c_k n_h at each vertex, #V: how the sum of y_h r_h grows with its moves in any direction.
+    std::vector<Vec3> gradient(std::span<const double> y) const;
+
+private:
+    struct Hinge {
+        std::array<Index, 4> vertices;
+        std::array<double, 4> c;
+        Vec3 normal;
+        double fold;
+    };
+
+    void add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices);
+
+    std::span<const Vec3> normals_;
+    std::vector<Hinge> hinges_;
+};
+
+} // namespace wm3d::detect

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file  What one filter of the bank leaves of a suspect: the two kinds of residuals.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include <wm3d/detect/evidence.hpp>
+
+#include "hinges.hpp"
+
+namespace wm3d::detect {
+
+/// A surface that residuals are measured on: the suspect's own, or a calmed copy.
+struct Geometry {
+    int calming = 0;
+    std::vector<Vec3> positions, normals;
+    SurfaceFilter surface;
+
+    Geometry(TriangleMesh mesh, int steps);
+};
+
+/// A residual of the suspect that is linear in its vertices' moves until it is counted, and the way back from it to the
+/// vertices.
+class Residual {
+public:
+    virtual ~Residual() = default;
+
+    /// What the suspect's own residual gives each vertex, #V: T is the sum of these times the normal moves of
+    /// the mark.
+    std::span<const double> pulled() const { return pulled_; }
+
+    /// What `moves` along the vertex normals, #V, add to `pulled` if they are made on this very mesh.
+    virtual std::vector<double> pulled_by(std::vector<double> moves) const = 0;
+
+    /// How T grows with the vertices' moves, #V, where the mark moves them along their normals by `bumps`; normals,
+    /// areas and weights held.
+    virtual std::vector<Vec3> gradient(std::vector<double> bumps) const = 0;
+
+protected:
+    std::vector<double> pulled_;
+};
+
+/// e = n . HP x at the vertices. `smooth`: the low pass of the coordinates of `base`, 3 by #V. `geometry` has to outlive
+/// it.
+std::unique_ptr<Residual> diffusion_residual(const TriangleMesh& base, const Geometry& geometry,
+                                             const Filter& filter, double variance_floor,
+                                             const std::vector<std::vector<double>>& smooth);
+
+/// Folds at the edges, by Cauchy's weights of this scale. `hinges` has to outlive it.
+std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, double scale);
+
+} // namespace wm3d::detect

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../src/hinges.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+#include <doctest/doctest.h>
+
+#include <wm3d/mesh/measure.hpp>
+#include <wm3d/shapes.hpp>
+
+using namespace wm3d;
+using detect::Hinges;
+
+namespace {
+
+/// Two triangles at the edge from (0, 0, 0) to (2, 0, 0), the second turned up by an angle.
+TriangleMesh hinge(double angle) {
+    return {{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -std::cos(angle), std::sin(angle)}},
+            {{0, 1, 2}, {1, 0, 3}}};
+}
+
+double dot(std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        sum += a[i] * b[i];
+    return sum;
+}
+
+std::vector<double> some_numbers(std::size_t count) {
+    std::vector<double> x(count);
+    for (std::size_t i = 0; i < count; ++i)
+        x[i] = std::sin(1.7 * static_cast<double>(i) + 0.3);
+    return x;
+}
+
+} // namespace
+
+TEST_CASE("a fold is the distance of two triangles from one plane") {
+    for (double angle : {0.0, 0.3, -0.7, 1.5}) {
+        CAPTURE(angle);
+        const TriangleMesh mesh = hinge(angle);
+        const std::vector<Vec3> normals = vertex_normals(mesh);
+        const Hinges hinges(mesh, normals);
+        REQUIRE(hinges.size() == 1);
+        // c = (-1, -1, 1, 1) / 2; both corners are sin(angle / 2) above the edge along the mean normal.
+        CHECK(hinges.folds()[0] == doctest::Approx(std::sin(angle / 2)).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("folds turn and scale with the mesh, and moves of one plane fold nothing") {
+    TriangleMesh mesh = shapes::blob(800, 3);
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const std::vector<double> folds = Hinges(mesh, normals).folds();
+    const Mat3 turn = Eigen::AngleAxisd(0.8, Vec3(1, -2, 3).normalized()).toRotationMatrix();
+    for (Vec3& p : mesh.positions)
+        p = 3 * (turn * p) + Vec3(10, 20, 30);
+    const std::vector<double> moved = Hinges(mesh, normals).folds();
+    REQUIRE(moved.size() == folds.size());
+    REQUIRE(folds.size() == 3 * mesh.triangles.size() / 2); // closed
+    for (std::size_t h = 0; h < folds.size(); ++h)
+        CHECK(moved[h] == doctest::Approx(3 * folds[h]).epsilon(1e-9).scale(1e-3));
+
+    const TriangleMesh flat = shapes::square(1, 12);
+    const std::vector<Vec3> up(flat.positions.size(), Vec3::UnitZ());
+    std::vector<double> tilt;
+    for (const Vec3& p : flat.positions)
+        tilt.push_back(0.3 + 0.2 * p.x() - 0.5 * p.y());
+    for (double r : Hinges(flat, up).folds_of(tilt))
+        CHECK(std::abs(r) < 1e-14);
+}
+
+TEST_CASE("what is pulled back is the transpose of what moves fold, and the gradient its direction") {
+    const TriangleMesh mesh = shapes::blob(800, 3);
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Hinges hinges(mesh, normals);
+    const std::vector<double> q = some_numbers(mesh.positions.size()), y = some_numbers(hinges.size());
+    CHECK(dot(hinges.folds_of(q), y) == doctest::Approx(dot(q, hinges.transposed(y))).epsilon(1e-12));
+    const std::vector<Vec3> gradient = hinges.gradient(y);
+    const std::vector<double> pulled = hinges.transposed(y);
+    for (std::size_t i = 0; i < pulled.size(); ++i)
+        CHECK(gradient[i].dot(normals[i]) == doctest::Approx(pulled[i]).epsilon(1e-9).scale(1));
+}
+
+TEST_CASE("folds follow small moves along the normals") {
+    TriangleMesh mesh = shapes::blob(800, 3);
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Hinges before(mesh, normals);
+    const std::vector<double> q = some_numbers(mesh.positions.size()), expected = before.folds_of(q);
+    constexpr double step = 1e-6;
+    for (std::size_t i = 0; i < q.size(); ++i)
+        mesh.positions[i] += step * q[i] * normals[i];
+    const std::vector<double> r = before.folds(), s = Hinges(mesh, normals).folds();
+    double error = 0, size = 0;
+    for (std::size_t h = 0; h < r.size(); ++h) {
+        error += std::pow((s[h] - r[h]) / step - expected[h], 2);
+        size += std::pow(expected[h], 2);
+    }
+    CHECK(std::sqrt(error / size) < 0.05); // c and n turn a little with the triangles
+}
+
+TEST_CASE("borders, edges of three triangles, doubled and folded back ones are no hinges") {
+    TriangleMesh mesh = hinge(0.3);
+    mesh.positions.push_back({1, 0, 2});
+    mesh.triangles.push_back({0, 1, 4});
+    CHECK(Hinges(mesh, vertex_normals(mesh)).size() == 0);
+    mesh = hinge(0.3);
+    mesh.triangles[1] = {1, 0, 2};
+    CHECK(Hinges(mesh, vertex_normals(mesh)).size() == 0); // one triangle twice, at each of its edges
+    mesh = hinge(std::numbers::pi);
+    CHECK(Hinges(mesh, vertex_normals(mesh)).size() == 0);
+    mesh = hinge(0.3);
+    mesh.positions[3] = {1.5, 0, 0};
+    CHECK(Hinges(mesh, vertex_normals(mesh)).size() == 0); // a triangle without area
+}
