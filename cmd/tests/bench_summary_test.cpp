@@ -64,6 +64,6 @@ TEST_CASE("payloads are compared with published bits, in words and numbers") {
 TEST_CASE("the table for programs has a line for every item") {
     const std::string csv = bench_csv(example());
     CHECK(std::ranges::count(csv, '\n') == 1 + 13);
-    CHECK(csv.find("b.ply,mrms,0.02,0,cropping:50,0.021,0.018,0.2,,,,,,,,,,,,,,nothing is left\n") !=
+    CHECK(csv.find("b.ply,mrms,0.02,0,cropping:50,0.021,0.018,0.2,,,,,,,,,,,,,,,nothing is left\n") !=
           std::string::npos);
 }

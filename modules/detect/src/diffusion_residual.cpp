@@ -10,6 +10,9 @@ namespace wm3d::detect {
 
 namespace {
 
+/// Of solutions that weigh a residual, or carry it back: an error of this part costs its square of the score.
+constexpr double weighing_tolerance = 1e-3;
+
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
     std::nth_element(values.begin(), middle, values.end());
@@ -33,7 +36,8 @@ std::vector<double> residual_weights(const SurfaceFilter& surface, std::span<con
         return g;
     std::vector<double> squares(e.size());
     std::transform(e.begin(), e.end(), squares.begin(), [](double x) { return x * x; });
-    const std::vector<double> variance = surface.low_pass(filter.variance_t, {std::move(squares)}).front();
+    const std::vector<double> variance =
+        surface.low_pass(filter.variance_t, {std::move(squares)}, weighing_tolerance).front();
     const double typical = median(variance);
     if (!(typical > 0)) // a polyhedron of flat sides: nothing to tell rough from smooth
         return g;
@@ -107,8 +111,10 @@ private:
     std::vector<double> pull(std::vector<double> e) const {
         for (std::size_t i = 0; i < e.size(); ++i)
             e[i] *= weights_[i];
-        std::vector<double> y = high_pass_transposed(std::move(e));
-        return filter_.template_t > 0 ? geometry_.surface.low_pass_transposed(filter_.template_t, y) : y;
+        std::vector<double> y = high_pass_transposed(std::move(e), weighing_tolerance);
+        return filter_.template_t > 0
+                   ? geometry_.surface.low_pass_transposed(filter_.template_t, y, weighing_tolerance)
+                   : y;
     }
 
     std::vector<double> high_pass(std::vector<double> x) const {
@@ -118,8 +124,9 @@ private:
         return x;
     }
 
-    std::vector<double> high_pass_transposed(std::vector<double> y) const {
-        const std::vector<double> low = geometry_.surface.low_pass_transposed(filter_.t, y);
+    std::vector<double> high_pass_transposed(std::vector<double> y,
+                                             double tolerance = SurfaceFilter::usual_tolerance) const {
+        const std::vector<double> low = geometry_.surface.low_pass_transposed(filter_.t, y, tolerance);
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] -= low[i];
         return y;

@@ -150,11 +150,12 @@ SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vector
     return smooth;
 }
 
-std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const double> y) const {
+std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const double> y,
+                                                       double tolerance) const {
     Together<1> right(y.size()), x(y.size(), std::array{0.0});
     for (std::size_t i = 0; i < y.size(); ++i)
         right[i][0] = y[i];
-    solve(operators_->system(t), right, x, usual_tolerance, most_steps);
+    solve(operators_->system(t), right, x, tolerance, most_steps);
     std::vector<double> result(y.size());
     for (std::size_t i = 0; i < result.size(); ++i)
         result[i] = operators_->mass[i] * x[i][0];

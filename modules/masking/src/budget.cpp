@@ -204,13 +204,13 @@ void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double bu
     double strength = near_budget(mark, budget, guess);
     if (!(strength > 0))
         return;
-    metrics::Msdm2Sample seen = look(mark(strength), options_.windows);
+    metrics::Msdm2Sample seen = look(mark(strength), options_.mask_windows);
     if (mesh_.positions.size() <= options_.most_windows && std::ranges::max(seen.local) > glaring)
         still = places_of_jumps(trial, budget, slightest * guess);
     if (!still.empty()) {
         carriers.silence(still);
         strength = near_budget(mark, budget, guess);
-        seen = look(mark(strength), options_.windows);
+        seen = look(mark(strength), options_.mask_windows);
     }
     if (seen.mean > nothing)
         carriers.equalize(seen.vertices, seen.local, seen.mean);

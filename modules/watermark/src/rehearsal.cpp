@@ -56,8 +56,13 @@ TriangleMesh coarsened(const TriangleMesh& mesh, std::size_t vertices) {
 }
 
 double best_log10_p(const TriangleMesh& mesh, const sphere::Icosphere& sphere, std::span<const double> w,
-                    double rmax, std::size_t hypotheses) {
-    const detect::Evidence evidence(mesh);
+                    double rmax, std::size_t hypotheses, std::span<const std::size_t> filters) {
+    detect::EvidenceOptions options;
+    const std::vector<detect::Filter> bank = std::move(options.filters);
+    options.filters.clear();
+    for (std::size_t f : filters)
+        options.filters.push_back(bank[f]);
+    const detect::Evidence evidence(mesh, options);
     const sphere::SparseRows rows = sphere::barycentric_rows(sphere, mesh.positions);
     double best = 0;
     for (std::size_t f = 0; f < evidence.filters(); ++f) {
@@ -76,15 +81,22 @@ std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Seque
     const std::size_t vertices = marked.mesh.positions.size();
     const double density = static_cast<double>(base.positions.size()) / static_cast<double>(vertices);
     const std::size_t quarter = std::min(base.positions.size(), vertices / 4);
-    const std::vector<std::function<TriangleMesh()>> attacks{
-        [&] { return with_noise(base, 0.3); }, [&] { return smoothed(base, 10, density); },
-        [&] { return rounded(base, 8); }, [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }};
-    std::vector<Rehearsed> results{
-        {"noise 0.3 %", 0}, {"smoothing 10", 0}, {"8 bits", 0}, {"1/4 of the vertices", 0}};
+    struct Attack {
+        std::string name;
+        std::function<TriangleMesh()> apply;
+        std::vector<std::size_t> filters; ///< of the bank, those that such damage leaves the most to
+    };
+    const std::vector<Attack> attacks{
+        {"noise 0.3 %", [&] { return with_noise(base, 0.3); }, {3}},
+        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {2, 5}},
+        {"8 bits", [&] { return rounded(base, 8); }, {3}},
+        {"1/4 of the vertices", [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }, {5, 6}}};
+    std::vector<Rehearsed> results(attacks.size());
     const sphere::Icosphere sphere(level);
     const std::span<const double> w = sequences(level);
     parallel_tasks(attacks.size(), [&](std::size_t k) {
-        results[k].log10_p = best_log10_p(attacks[k](), sphere, w, rmax, hypotheses);
+        const Attack& attack = attacks[k];
+        results[k] = {attack.name, best_log10_p(attack.apply(), sphere, w, rmax, hypotheses, attack.filters)};
     });
     return results;
 }

@@ -34,7 +34,8 @@ public:
                                               double tolerance = usual_tolerance) const;
 
     /// M (M + tL)^-1 y: the transpose of `low_pass`.
-    std::vector<double> low_pass_transposed(double t, std::span<const double> y) const;
+    std::vector<double> low_pass_transposed(double t, std::span<const double> y,
+                                            double tolerance = usual_tolerance) const;
 
 private:
     struct Operators;

@@ -31,7 +31,8 @@ struct BudgetOptions {
     /// Meshes of more vertices are looked at through `windows` of them: those of neighbours overlap, and all
     /// of a million take a minute.
     std::size_t most_windows = 60'000;
-    std::size_t windows = 16'000;    ///< also of the trial mark that the mask is weighed by
+    std::size_t windows = 16'000;
+    std::size_t mask_windows = 8'000; ///< of the trial mark that the mask is weighed by
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     double sampling_margin = 0.005;  ///< part of the budget that is left where not all are opened
 };

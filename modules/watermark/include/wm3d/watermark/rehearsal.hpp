@@ -18,7 +18,8 @@ struct Rehearsed {
 
 /// Noise of 0.3 %, ten steps of smoothing, coordinates of 8 bits, and three vertices in four gone, each on
 /// the base mesh of the marked one and in the pose of the mark. A rehearsal and not the attack itself: what
-/// an attack does to the pose, and a smoothing of vertices that the base mesh lacks, is left out.
+/// an attack does to the pose, and a smoothing of vertices that the base mesh lacks, is left out. Read by those
+/// filters of verify's bank that such damage leaves the most to, so verify finds as much or more.
 /// \param marked      with the base mesh that verify looks at
 /// \param hypotheses  that verify tries, each of them paid for
 std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Sequences& sequences,
