@@ -98,6 +98,7 @@ using wm3d::detect::correlation;
 using wm3d::detect::Cumulants;
 using wm3d::detect::cumulants;
 using wm3d::detect::decide;
+using wm3d::detect::describe;
 using wm3d::detect::Evidence;
 using wm3d::detect::EvidenceOptions;
 using wm3d::detect::exact_tail;

@@ -37,7 +37,7 @@ TEST_CASE("what is predicted of the marks that mark makes by default is what tri
     const TrialBench bench(mesh, small_setting());
     const MeshStatistics statistics = mesh_statistics(bench, key::null_secret(seed, 0));
     const std::array pf{1e-6, 1e-4, 1e-2};
-    constexpr double visibility = 0.16; // here P_m goes from nearly 1 to nearly 0
+    constexpr double visibility = 0.1; // here P_m goes from nearly 1 to nearly 0
     const std::vector<RocCurve> predicted = predicted_rocs(bench, statistics, visibility, pf, 60);
     REQUIRE(predicted.size() == 1); // the paper's model knows no such marks
     CHECK(predicted.front().visibility == visibility);
