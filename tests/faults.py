@@ -283,6 +283,10 @@ class Anywhere(InFolder):
             missing = wm3d("info", "--", f"{name}-.ply", cwd=folder)
             self.assertEqual(missing.returncode, 2)
             self.assertEqual(missing.stderr.count(b"\n"), 1, missing.stderr)
+            if name.startswith("-"):
+                mistaken = wm3d("info", f"{name}.ply", cwd=folder)
+                self.assertEqual(mistaken.returncode, 2)
+                self.assertIn(f"the file of that name is './{name}.ply'".encode(), mistaken.stderr)
         counted(f"{len(names)} odd names of files and folders")
 
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -38,14 +39,20 @@ std::vector<std::string> option_names(const CLI::App& app) {
     return names;
 }
 
+bool looks_like_option(const std::string& word) {
+    return word.starts_with('-');
+}
+
 /// What is not expected: an option that doesn't exist, or a word too many.
 std::string complaint_about_extras(const CLI::App& app) {
     const std::vector<std::string> extras = app.remaining();
-    const auto option =
-        std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with('-'); });
+    const auto option = std::ranges::find_if(extras, looks_like_option);
     if (option == extras.end())
         return fmt::format("there is nothing that '{}' could mean here",
                            extras.empty() ? "" : extras.front());
+    std::error_code ignored;
+    if (std::filesystem::exists(*option, ignored))
+        return fmt::format("'{0}' is not an option; the file of that name is './{0}'", *option);
     const std::string name = option->substr(0, option->find('='));
     const std::vector<std::string> names = option_names(app);
     const std::vector<std::string_view> views(names.begin(), names.end());
@@ -94,7 +101,10 @@ std::string help_text(CLI::App& app, std::size_t width) {
 }
 
 std::string usage_complaint(const CLI::App& app, const CLI::ParseError& error) {
-    const bool extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr;
+    // What is required may be there, and be taken for an option.
+    const bool extras = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                        (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr &&
+                         std::ranges::any_of(app.remaining(), looks_like_option));
     const std::string clause = extras ? complaint_about_extras(app) : as_clause(error.what());
     return clause.ends_with('?') ? clause : fmt::format("{}; see '{} --help'.", clause, app.get_name());
 }
