@@ -41,10 +41,15 @@ bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptio
            (!content.copy || tells_copy(check, key, *content.copy, options.pf));
 }
 
-/// Whether the mark would be found on the mesh as it is in memory, before a file rounds it.
-bool found_in_memory(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& check,
-                     const std::vector<Vec3>& positions) {
-    return verify(TriangleMesh{positions, mesh.triangles}, key, check).verdict == detect::Verdict::present;
+/// Whether the mark would be found on the mesh as it is in memory, before a file rounds it. Not asked where the
+/// file's steps are nothing beside the moves.
+bool lost_in_storage(const MarkedModel& result, const TriangleMesh& mesh, const key::Key& key,
+                     const VerifyOptions& check) {
+    constexpr double nothing = 0.01;
+    if (result.coordinate_step < nothing * result.marked.distortion.normal_rms)
+        return false;
+    return verify(TriangleMesh{result.marked.positions, mesh.triangles}, key, check).verdict ==
+           detect::Verdict::present;
 }
 
 /// Whether verify would find the mark, and read what it says, in the file as it would be written.
@@ -81,7 +86,8 @@ double in_two_digits(double size) {
     return std::stod(fmt::format("{:.2g}", size));
 }
 
-/// A larger size that was tried and does, if there is one: doubled until it does, then a little less.
+/// A larger size that was tried and does, if there is one: doubled until it does, then a little less. Where the largest
+/// budget doesn't do, none does.
 std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key::Key& key,
                                               MarkModelOptions options, const VerifyOptions& check) {
     constexpr int most_doublings = 5;
@@ -90,6 +96,11 @@ std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key:
     const double most = mark.strength || mark.gamma ? HUGE_VAL : most_seen;
     const Marker marker(model.mesh(), mark.vertices);
     double too_small = size_of(mark);
+    if (most == most_seen) {
+        size_of(mark) = most;
+        if (too_small >= most || !would_do(model, marker, key, options, check))
+            return std::nullopt;
+    }
     for (int k = 0; k < most_doublings && too_small < most; ++k) {
         size_of(mark) = in_two_digits(std::min(2 * too_small, most));
         if (!would_do(model, marker, key, options, check)) {
@@ -184,7 +195,6 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
     result.check = verify(suspect, key, check, progress);
-    const TriangleMesh& mesh = model.mesh();
     const Marked& marked = result.marked;
     if (result.check.verdict == detect::Verdict::present) {
         Sequences sequences(key.secret(), marked.rmax);
@@ -193,7 +203,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax,
                                     result.check.score.hypotheses);
     } else {
-        result.loss = found_in_memory(mesh, key, check, marked.positions) ? Loss::storage : Loss::power;
+        result.loss = lost_in_storage(result, model.mesh(), key, check) ? Loss::storage : Loss::power;
     }
     return result;
 }
