@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <Eigen/Geometry>
 
@@ -16,13 +17,22 @@ struct Side {
     friend auto operator<=>(const Side&, const Side&) = default;
 };
 
+/// The sides of all triangles in ascending order, so those of one edge together.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            sides.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), t[(k + 2) % 3]});
-    std::ranges::sort(sides);
+    // Filed under their lower ends: what is left to sort are the few at one vertex.
+    std::vector<std::size_t> end(mesh.positions.size() + 1, 0);
+    const auto for_each_side = [&](auto&& visit) {
+        for (const Triangle& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                visit(Side{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), t[(k + 2) % 3]});
+    };
+    for_each_side([&](const Side& s) { ++end[s.low + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Side> sides(end.back());
+    for_each_side([&](const Side& s) { sides[end[s.low]++] = s; });
+    for (std::size_t v = 0, begin = 0; v + 1 < end.size(); begin = end[v++])
+        std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
+                  sides.begin() + static_cast<std::ptrdiff_t>(end[v]));
     return sides;
 }
 

@@ -33,6 +33,18 @@ void hold_around(std::vector<char>& still, const TriangleMesh& mesh, const std::
                 still[v] = 1;
 }
 
+/// What a sample's mean becomes when the mask does.
+double reweighed(const metrics::Msdm2Sample& seen, std::span<const double> before,
+                 std::span<const double> now) {
+    double sum = 0;
+    for (std::size_t i = 0; i < seen.local.size(); ++i) {
+        const Index v = seen.vertices[i];
+        const double ratio = before[v] > 0 ? now[v] / before[v] : 1;
+        sum += std::pow(seen.local[i] * std::pow(ratio, usual_slope), 3);
+    }
+    return std::cbrt(sum / static_cast<double>(seen.local.size()));
+}
+
 /// Windows that stand for all, each for an equal share of the sum of cubes of the local distances: what that
 /// sum grows to when a mark changes is told by few of them, wherever it comes from.
 class WeightyWindows {
@@ -97,20 +109,26 @@ double Budget::visible(const std::vector<Vec3>& positions) const {
     return look(positions, final_windows()).mean;
 }
 
+double Budget::rescaled(double strength, double seen, double budget) {
+    return strength * std::pow(budget / seen, 1 / usual_slope);
+}
+
 Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
-    const auto seen_through = [&](std::size_t windows) {
-        return [&, windows](double strength) { return look(mark(strength), windows).mean; };
-    };
-    if (mesh_.positions.size() > final_windows())
-        budget *= 1 - options_.sampling_margin;
+    if (mesh_.positions.size() <= options_.rough_windows)
+        return fit_near(mark, budget, guess);
+    constexpr double near = 0.03; // of the budget
+    const auto roughly = [&](double strength) { return look(mark(strength), options_.rough_windows).mean; };
+    const Fit fit = approach(roughly, {guess}, budget, near);
+    return fit_near(mark, budget, fit.strength > 0 ? fit.strength : guess);
+}
+
+Fit Budget::fit_near(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return approach([&](double strength) { return exactly(mark(strength)); }, {guess}, budget,
                         options_.tolerance);
-    constexpr double near = 0.03; // of the budget
-    Fit fit = approach(seen_through(options_.rough_windows), {guess}, budget, near);
-    if (!(fit.strength > 0))
-        fit.strength = guess;
-    return approach_from_full_look(mark, fit, budget);
+    if (mesh_.positions.size() > final_windows())
+        budget *= 1 - options_.sampling_margin;
+    return approach_from_full_look(mark, {guess}, budget);
 }
 
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
@@ -173,7 +191,7 @@ double Budget::near_budget(const MarkOfStrength& mark, double budget, double gue
             return 0;
         if (std::abs(msdm2 / budget - 1) <= near)
             break;
-        strength *= std::pow(budget / msdm2, 1 / usual_slope);
+        strength = rescaled(strength, msdm2, budget);
     }
     return strength;
 }
@@ -197,23 +215,26 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
     return count == 0 || count == still.size() ? std::vector<char>() : still;
 }
 
-void Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
+double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
     constexpr double glaring = 0.6, slightest = 1e-3; // seen somewhere; of the guess
     std::vector<char> still;
     const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
     double strength = near_budget(mark, budget, guess);
     if (!(strength > 0))
-        return;
+        return 0;
     metrics::Msdm2Sample seen = look(mark(strength), options_.mask_windows);
-    if (mesh_.positions.size() <= options_.most_windows && std::ranges::max(seen.local) > glaring)
+    if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(seen.local) > glaring)
         still = places_of_jumps(trial, budget, slightest * guess);
     if (!still.empty()) {
         carriers.silence(still);
         strength = near_budget(mark, budget, guess);
         seen = look(mark(strength), options_.mask_windows);
     }
-    if (seen.mean > nothing)
-        carriers.equalize(seen.vertices, seen.local, seen.mean);
+    if (!(seen.mean > nothing))
+        return 0;
+    const std::vector<double> before(carriers.mask().begin(), carriers.mask().end());
+    carriers.equalize(seen.vertices, seen.local, seen.mean);
+    return rescaled(strength, reweighed(seen, before, carriers.mask()), budget);
 }
 
 } // namespace wm3d::masking

@@ -86,6 +86,22 @@ TEST_CASE("an equalized mark moves the surface further for what is seen of it") 
     CHECK(rms() > 1.05 * before);
 }
 
+TEST_CASE("what the trial mark tells is near the strength of another mark, and leads to the same") {
+    Host host;
+    const Budget budget(host.mesh);
+    Host other;
+    std::ranges::reverse(other.w);
+    const double told = budget.equalize(host.carriers, other.mark(), 0.1, 0.01);
+    const double found = budget.fit(host.mark(), 0.1, 0.01).strength;
+    CHECK(told == doctest::Approx(found).epsilon(0.25));
+    const Fit near = budget.fit_near(host.mark(), 0.1, told);
+    CHECK(near.reached);
+    CHECK(near.strength == doctest::Approx(found).epsilon(0.02));
+    const double half = Budget::rescaled(told, 0.1, 0.05);
+    CHECK(budget.fit_near(host.mark(), 0.05, half).reached);
+    CHECK(half < told);
+}
+
 namespace {
 
 /// A blob with a second, crumpled sheet over a part of it that nearly touches its vertices: as unwelded parts do, it makes

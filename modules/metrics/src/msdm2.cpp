@@ -83,8 +83,8 @@ struct Msdm2::Prepared {
         : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)),
           own_side(longest_side(surface.mesh())) {}
 
-    /// Distance of each vertex of the reference from the triangles that it doesn't belong to, #V; 0 where it
-    /// belongs to none.
+    /// Distance of each vertex of the reference from the triangles that it doesn't belong to, #V, as far as
+    /// marks move; 0 where it belongs to none.
     const std::vector<double>& clearances() const;
 
     /// The reference's point closest to where its vertex went.
@@ -150,6 +150,7 @@ const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
 }
 
 const std::vector<double>& Msdm2::Prepared::clearances() const {
+    constexpr double of_marks = 2.5e-3; // times the longest side: twice what all but few vertices move
     std::call_once(cleared_, [&] {
         const TriangleMesh& mesh = tree.mesh();
         clearances_.resize(mesh.positions.size(), 0.0);
@@ -157,7 +158,7 @@ const std::vector<double>& Msdm2::Prepared::clearances() const {
             for (std::size_t v = begin; v < end; ++v) {
                 const std::span<const Index> own = graph.triangles_at(v);
                 if (std::ranges::any_of(own, [&](Index f) { return area_vector(mesh, f).squaredNorm() > 0; }))
-                    clearances_[v] = tree.distance_but(own, mesh.positions[v]);
+                    clearances_[v] = tree.distance_but(own, mesh.positions[v], of_marks * own_side);
             }
         });
     });

@@ -12,7 +12,9 @@
 
 namespace wm3d::metrics {
 
-SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh) {
+SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh), has_area_(mesh.triangles.size()) {
+    for (std::size_t f = 0; f < has_area_.size(); ++f)
+        has_area_[f] = area_vector(mesh, f).squaredNorm() > 0;
     std::vector<Index> triangles;
     triangles.reserve(mesh.triangles.size());
     for (Index f = 0; f < mesh.triangles.size(); ++f)
@@ -55,12 +57,8 @@ ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec
     return on(best.triangle, query);
 }
 
-double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& query) const {
-    return std::sqrt(boxes_->nearest_but(left_out, query).square);
-}
-
-bool SurfaceTree::has_area(Index triangle) const {
-    return area_vector(*mesh_, triangle).squaredNorm() > 0;
+double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& query, double most) const {
+    return std::sqrt(boxes_->nearest_but(left_out, query, most * most).square);
 }
 
 ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {

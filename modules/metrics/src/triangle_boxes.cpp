@@ -132,8 +132,10 @@ NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known)
     return search(query, known, [](Index) { return true; });
 }
 
-NearestTriangle TriangleBoxes::nearest_but(std::span<const Index> left_out, const Vec3& query) const {
-    return search(query, {}, [&](Index f) { return std::ranges::find(left_out, f) == left_out.end(); });
+NearestTriangle TriangleBoxes::nearest_but(std::span<const Index> left_out, const Vec3& query,
+                                           double square) const {
+    return search(query, {no_index, square},
+                  [&](Index f) { return std::ranges::find(left_out, f) == left_out.end(); });
 }
 
 } // namespace wm3d::metrics

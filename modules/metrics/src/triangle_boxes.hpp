@@ -52,8 +52,10 @@ public:
     /// bettered: the closer it is, the shorter the search.
     NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
 
-    /// The same among all triangles but those listed; `no_index` if there are no others.
-    NearestTriangle nearest_but(std::span<const Index> left_out, const Vec3& query) const;
+    /// The same among all triangles but those listed; `no_index` if there are no others within `square`, a squared
+    /// distance.
+    NearestTriangle nearest_but(std::span<const Index> left_out, const Vec3& query,
+                                double square = std::numeric_limits<double>::infinity()) const;
 
 private:
     struct Box {

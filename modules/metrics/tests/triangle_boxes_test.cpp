@@ -62,6 +62,10 @@ TEST_CASE("some triangles may be left out of a search") {
         const auto expected = by_search(corners, query), found = boxes.nearest_but(left_out, query);
         CHECK(found.triangle == expected.triangle);
         CHECK(found.square == expected.square);
+        CHECK(boxes.nearest_but(left_out, query, 1.01 * expected.square + 1e-20).triangle ==
+              expected.triangle);
+        if (expected.square > 0)
+            CHECK(boxes.nearest_but(left_out, query, 0.99 * expected.square).triangle == no_index);
         left_out.push_back(found.triangle);
         std::erase_if(corners, [&](const auto& t) { return t.number == found.triangle; });
     }

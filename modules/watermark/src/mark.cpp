@@ -91,6 +91,8 @@ struct Marker::Base {
 struct Marker::Carried {
     sphere::SparseRows rows; ///< B for all vertices
     masking::Carriers carriers;
+    double usual_factor =
+        0; ///< of moves that are seen about as much as `default_visibility`; 0 where unknown
 };
 
 /// What was needed so far.
@@ -132,11 +134,12 @@ const Marker::Carried& Marker::carried(unsigned level) const {
                   masking::Carriers(canonical_)};
     const std::vector<double> moves = fresh.carriers.moves(
         fresh.rows, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1));
-    if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0)
-        seen.equalize(
-            fresh.carriers,
-            [&](double strength) { return in_file(moved(fresh.carriers, moves, strength / rms)); },
-            default_visibility, first_strength);
+    if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0) {
+        const auto trial = [&](double strength) {
+            return in_file(moved(fresh.carriers, moves, strength / rms));
+        };
+        fresh.usual_factor = seen.equalize(fresh.carriers, trial, default_visibility, first_strength) / rms;
+    }
     return made_->carried.emplace(level, std::move(fresh)).first->second;
 }
 
@@ -205,6 +208,7 @@ std::vector<Vec3> shaped_base(const TriangleMesh& base, std::span<const double> 
 struct Marker::Layout {
     masking::MarkOfStrength positions; ///< of a strength in % of the diagonal
     double unit = 0;                   ///< strength of the bumps of gamma 1
+    double usual = 0; ///< strength that is seen about as much as `default_visibility`; 0 where unknown
 };
 
 Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
@@ -214,7 +218,7 @@ Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
     require_move(rms);
     return {
         [this, &with, moves, rms](double strength) { return moved(with.carriers, moves, strength / rms); },
-        percent_of_diagonal(with.carriers.rms(with.carriers.bumps(with.rows, w)))};
+        percent_of_diagonal(with.carriers.rms(with.carriers.bumps(with.rows, w))), with.usual_factor * rms};
 }
 
 Marker::Layout Marker::bumpy(std::span<const double> w, unsigned level) const {
@@ -288,11 +292,16 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {
-        const masking::Fit fit = budget().fit(laid, *setting.visibility, first_strength);
+        const double seen = *setting.visibility;
+        const masking::Fit fit =
+            layout.usual > 0
+                ? budget().fit_near(laid, seen,
+                                    masking::Budget::rescaled(layout.usual, default_visibility, seen))
+                : budget().fit(laid, seen, first_strength);
         if (!(fit.strength > 0))
             throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
                                          "weak",
-                                         *setting.visibility));
+                                         seen));
         strength = fit.strength;
         marked.msdm2 = fit.msdm2;
     }

@@ -28,10 +28,10 @@ struct BudgetOptions {
     double aim = 0.99;       ///< of the budget, to stay below it
     double tolerance = 0.01; ///< accepted distance from the aim
     std::size_t most_evaluations = 12;
-    /// Meshes of more vertices are looked at through `windows` of them: those of neighbours overlap, and all
-    /// of a million take a minute.
-    std::size_t most_windows = 60'000;
-    std::size_t windows = 16'000;
+    /// Meshes of more vertices are looked at through about `windows` of them: those of neighbours overlap.
+    std::size_t most_windows = 20'000;
+    std::size_t windows = 18'000;
+    std::size_t most_jumpy = 60'000;  ///< meshes of more vertices are not looked through for jumps
     std::size_t mask_windows = 8'000; ///< of the trial mark that the mask is weighed by
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     double sampling_margin = 0.005;  ///< part of the budget that is left where not all are opened
@@ -53,12 +53,20 @@ public:
     /// \param guess  strength to begin with, > 0
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
+    /// The same from a guess that is known to be near, such as follows from `equalize`.
+    Fit fit_near(const MarkOfStrength& mark, double budget, double guess) const;
+
+    /// About the strength that is seen as `budget` where `strength` is seen as `seen`.
+    static double rescaled(double strength, double seen, double budget);
+
     /// Weighs the carriers' mask by what a trial mark shows: `Carriers::equalize`. Where MSDM2 jumps at the
     /// slightest move, as beside doubled surfaces, nothing may move: `Carriers::silence`. The trial's sequence
     /// is not to be the key's, so that the mask tells nothing of it and the same mask serves any.
     /// \param trial  its positions of a strength
     /// \param guess  strength to begin with, > 0
-    void equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
+    /// \return  times which strength, by the mask as it was, the trial is seen about as much as `budget` by the
+    ///     mask as it is now; 0 where that is not known
+    double equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2

@@ -2,8 +2,10 @@
 /// \file  The closest point of a surface.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
 
@@ -40,16 +42,18 @@ public:
     /// \pre  one of them has an area
     ClosestPoint closest_of(std::span<const Index> triangles, const Vec3& query) const;
 
-    /// Distance of all triangles but some; infinite if there are no others.
-    double distance_but(std::span<const Index> left_out, const Vec3& query) const;
+    /// Distance of all triangles but some, or `most` if they are all farther: the less that is, the shorter the search.
+    double distance_but(std::span<const Index> left_out, const Vec3& query,
+                        double most = std::numeric_limits<double>::infinity()) const;
 
     const TriangleMesh& mesh() const { return *mesh_; }
 
 private:
-    bool has_area(Index triangle) const;
+    bool has_area(Index triangle) const { return has_area_[triangle] != 0; }
     ClosestPoint on(Index triangle, const Vec3& query) const;
 
     const TriangleMesh* mesh_;
+    std::vector<char> has_area_; ///< #F
     std::unique_ptr<class TriangleBoxes> boxes_;
 };
 
