@@ -18,7 +18,8 @@ KEYS = 5
 OWNER = pathlib.Path(__file__).resolve().parent.parent / "golden/mark/sample/test.key"
 MODELS = {"bunny": "stanford-bunny.obj", "nefertiti": "nefertiti.obj", "horse": "horse.ply",
           "igea": "igea.ply",
-          "rocker-arm": "rocker-arm.obj", "fandisk": "fandisk.obj"}
+          "rocker-arm": "rocker-arm.obj", "fandisk": "fandisk.obj",
+          "helmet": "DamagedHelmet.glb", "thing-73416": "thing-73416.stl"}
 PROGRAMS = {"gltfpack": ["gltfpack"], "draco": ["draco_encoder", "draco_decoder"], "text": []}
 
 

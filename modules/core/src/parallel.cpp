@@ -9,8 +9,17 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 namespace wm3d {
+
+namespace {
+
+/// Of the context that a loop runs in. A loop that is part of a task would else be called off, half done and without a
+/// word, where another task throws.
+constexpr auto its_own = tbb::task_group_context::isolated;
+
+} // namespace
 
 struct ThreadLimit::Control {
     tbb::global_control control;
@@ -37,18 +46,23 @@ void parallel_blocks(std::size_t count, std::size_t block,
         return;
     }
     const std::size_t blocks = (count + block - 1) / block;
-    tbb::parallel_for(std::size_t{0}, blocks,
-                      [&](std::size_t b) { body(b * block, std::min(count, (b + 1) * block)); });
+    tbb::task_group_context context(its_own);
+    tbb::parallel_for(
+        std::size_t{0}, blocks, [&](std::size_t b) { body(b * block, std::min(count, (b + 1) * block)); },
+        context);
 }
 
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& body) {
     std::atomic<std::size_t> next{0};
-    tbb::parallel_for(std::size_t{0}, count,
-                      [&](std::size_t) { tbb::this_task_arena::isolate([&] { body(next++); }); });
+    tbb::task_group_context context(its_own);
+    tbb::parallel_for(
+        std::size_t{0}, count, [&](std::size_t) { tbb::this_task_arena::isolate([&] { body(next++); }); },
+        context);
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-    tbb::parallel_invoke(first, second);
+    tbb::task_group_context context(its_own);
+    tbb::parallel_invoke(first, second, context);
 }
 
 } // namespace wm3d

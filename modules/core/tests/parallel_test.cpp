@@ -73,6 +73,28 @@ TEST_CASE("an exception in a task reaches the caller") {
                     std::runtime_error);
 }
 
+TEST_CASE("a task that throws leaves the loops of others whole") {
+    std::atomic<int> begun{0}, cut_short{0};
+    std::atomic<bool> thrown{false};
+    const auto task = [&](std::size_t) {
+        if (begun++ == 1) { // the first is at work then, if there are two threads
+            thrown = true;
+            throw std::runtime_error("one of the tasks");
+        }
+        std::atomic<int> done{0};
+        parallel_blocks(4000, 1, [&](std::size_t, std::size_t) {
+            volatile double x = 1;
+            for (int i = 0; i < 500; ++i)
+                x = std::sqrt(x + i);
+            ++done;
+        });
+        cut_short += done != 4000;
+    };
+    CHECK_THROWS_AS(parallel_tasks(64, task), std::runtime_error);
+    CHECK(thrown);
+    CHECK(cut_short == 0);
+}
+
 TEST_CASE("both tasks run") {
     std::atomic<int> done = 0;
     parallel_invoke([&] { done += 1; }, [&] { done += 2; });

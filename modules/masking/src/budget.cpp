@@ -157,6 +157,7 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
     const double aim = options_.aim * budget;
     Fit best;
     double slope = usual_slope, too_weak = 0, too_strong = 0;
+    double reach = 1; // grows where what is seen hardly changes over a wide range of strengths
     if (!(tried.msdm2 > 0))
         tried = {tried.strength, seen(tried.strength), tried.evaluations + 1, false};
     for (std::size_t k = 1;; ++k) {
@@ -167,13 +168,16 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
         if (best.reached || !(tried.msdm2 > nothing) || k == options_.most_evaluations)
             return best;
         (tried.msdm2 < aim ? too_weak : too_strong) = tried.strength;
-        double next = tried.strength * std::pow(aim / tried.msdm2, 1 / slope);
-        if (too_weak > 0 && too_strong > 0 && !(next > too_weak && next < too_strong))
+        const bool between = too_weak > 0 && too_strong > 0;
+        double next = tried.strength * std::pow(aim / tried.msdm2, (between ? 1 : reach) / slope);
+        if (between && !(next > too_weak && next < too_strong))
             next = std::sqrt(too_weak * too_strong);
         if (!std::isfinite(next) || next == tried.strength)
             return best;
         const Fit previous = tried;
         tried = {next, seen(next), tried.evaluations + 1, false};
+        const auto error = [&](const Fit& at) { return std::abs(std::log(aim / at.msdm2)); };
+        reach = error(tried) > error(previous) / 2 ? 2 * reach : 1;
         const double measured =
             std::log(tried.msdm2 / previous.msdm2) / std::log(tried.strength / previous.strength);
         slope = std::isfinite(measured) ? std::clamp(measured, least_slope, most_slope) : usual_slope;

@@ -55,6 +55,15 @@ TEST_CASE("what is predicted of the marks that mark makes by default is what tri
     CHECK(measured.points.back().missed < trials.size());
 }
 
+TEST_CASE("a visibility that is seen over a wide range of strengths is kept to as well") {
+    // With this key MSDM2 lies between 0.110 and 0.112 from 1.3 to 3.5 times the strength at which it is 0.1.
+    const TriangleMesh mesh = shapes::sample(4000, 1);
+    const watermark::Marked marked = TrialBench(mesh, small_setting()).mark(0.11, another_seed, 15);
+    REQUIRE(marked.msdm2);
+    CHECK(*marked.msdm2 <= 0.11);
+    CHECK(*marked.msdm2 > 0.1);
+}
+
 TEST_CASE("the mark that is recommended is the least visible one that does") {
     const TriangleMesh mesh = shapes::sample(4000, 1);
     Requirement requirement;
