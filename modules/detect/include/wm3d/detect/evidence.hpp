@@ -52,7 +52,7 @@ struct EvidenceOptions {
     /// 7, says how these were chosen.
     std::vector<Filter> filters{
         Filter::of_hinges(2e-4, true), {2e-4, 0.5, 3e-3},       {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, true},
-        {1e-4, 0.5, 1e-3, 3e-4, 3},    {1e-3, 0.5, 1e-3, 0, 3}, Filter::of_hinges(1e-3, false),
+        {1e-4, 0.5, 1e-3, 3e-4, 3},    {3e-4, 0.5, 1e-3, 3e-4, 3}, Filter::of_hinges(1e-3, false),
         Filter::of_hinges(5e-3, false)};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
