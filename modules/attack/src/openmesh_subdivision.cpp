@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "openmesh_subdivision.hpp"
 
+#include <algorithm>
+
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/Sqrt3T.hh>
@@ -53,10 +55,19 @@ TriangleMesh from_openmesh(OpenMeshSurface& surface) {
     return mesh;
 }
 
+/// The most neighbours that a vertex has. Subdivision gives those it makes six, and the others no more.
+std::size_t largest_valence(const OpenMeshSurface& surface) {
+    std::size_t largest = 6;
+    for (const auto v : surface.vertices())
+        largest = std::max<std::size_t>(largest, surface.valence(v));
+    return largest;
+}
+
 template<typename Subdivider>
 TriangleMesh subdivide_by(const TriangleMesh& mesh, int steps) {
     OpenMeshSurface surface = to_openmesh(mesh);
     Subdivider subdivider;
+    subdivider.init_weights(largest_valence(surface) + 1); // its table ends at 49, unchecked
     subdivider.attach(surface);
     subdivider(static_cast<std::size_t>(steps));
     subdivider.detach();

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include <doctest/doctest.h>
 #include <wm3d/core/error.hpp>
@@ -47,6 +48,26 @@ TEST_CASE("one Loop step has the scheme's own weights") {
     for (const Vec3& p : fine.positions)
         top = std::max(top, p[2]);
     CHECK(top == doctest::Approx(5.0 / 8)); // 1 - 6 beta with beta = 1/16
+}
+
+TEST_CASE("vertices of any number of neighbours have the schemes' weights") {
+    for (Index around : {8u, 49u, 50u, 400u}) {
+        CAPTURE(around);
+        TriangleMesh cones{{{0, 0, 1}, {0, 0, -1}}, {}};
+        for (Index k = 0; k < around; ++k) {
+            const double angle = 2 * std::numbers::pi * k / around;
+            cones.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+            const Index next = 2 + (k + 1) % around;
+            cones.triangles.push_back({0, 2 + k, next});
+            cones.triangles.push_back({1, next, 2 + k});
+        }
+        const double cosine = std::cos(2 * std::numbers::pi / around);
+        const auto top = [&](SubdivisionScheme scheme) {
+            return subdivide(cones, scheme, 1).positions[0].z(); // the rim's centre is at 0
+        };
+        CHECK(top(SubdivisionScheme::loop) == doctest::Approx(3.0 / 8 + std::pow(3.0 / 8 + cosine / 4, 2)));
+        CHECK(top(SubdivisionScheme::sqrt3) == doctest::Approx(1 - (4 - 2 * cosine) / 9));
+    }
 }
 
 TEST_CASE("simplification removes the wanted share of the edges and keeps the topology") {
