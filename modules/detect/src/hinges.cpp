@@ -3,52 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <Eigen/Geometry>
 
+#include <wm3d/mesh/sides.hpp>
+
 namespace wm3d::detect {
-
-namespace {
-
-/// An edge as one triangle has it, and the corner opposite.
-struct Side {
-    Index low, high, opposite;
-    friend auto operator<=>(const Side&, const Side&) = default;
-};
-
-/// The sides of all triangles in ascending order, so those of one edge together.
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-    // Filed under their lower ends: what is left to sort are the few at one vertex.
-    std::vector<std::size_t> end(mesh.positions.size() + 1, 0);
-    const auto for_each_side = [&](auto&& visit) {
-        for (const Triangle& t : mesh.triangles)
-            for (std::size_t k = 0; k < 3; ++k)
-                visit(Side{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), t[(k + 2) % 3]});
-    };
-    for_each_side([&](const Side& s) { ++end[s.low + 1]; });
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<Side> sides(end.back());
-    for_each_side([&](const Side& s) { sides[end[s.low]++] = s; });
-    for (std::size_t v = 0, begin = 0; v + 1 < end.size(); begin = end[v++])
-        std::sort(sides.begin() + static_cast<std::ptrdiff_t>(begin),
-                  sides.begin() + static_cast<std::ptrdiff_t>(end[v]));
-    return sides;
-}
-
-} // namespace
 
 Hinges::Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals) : normals_(normals) {
     const std::vector<Side> sides = sorted_sides(mesh);
     hinges_.reserve(sides.size() / 2);
-    for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
-        while (last < sides.size() && sides[last].low == sides[first].low &&
-               sides[last].high == sides[first].high)
-            ++last;
-        if (last - first == 2)
-            add(mesh,
-                {sides[first].low, sides[first].high, sides[first].opposite, sides[first + 1].opposite});
-    }
+    for_each_edge(sides, [&](std::span<const Side> edge) {
+        if (edge.size() != 2)
+            return;
+        const auto [left, right] = std::minmax({opposite(mesh, edge[0]), opposite(mesh, edge[1])});
+        add(mesh, {edge[0].low, edge[0].high, left, right});
+    });
 }
 
 void Hinges::add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices) {
@@ -80,23 +50,23 @@ std::vector<double> Hinges::folds() const {
     return r;
 }
 
+double Hinges::coupling(const Hinge& hinge, std::size_t k) const {
+    return hinge.c[k] * normals_[hinge.vertices[k]].dot(hinge.normal);
+}
+
 std::vector<double> Hinges::folds_of(std::span<const double> moves) const {
     std::vector<double> r(hinges_.size(), 0.0);
     for (std::size_t h = 0; h < r.size(); ++h)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Index v = hinges_[h].vertices[k];
-            r[h] += hinges_[h].c[k] * normals_[v].dot(hinges_[h].normal) * moves[v];
-        }
+        for (std::size_t k = 0; k < 4; ++k)
+            r[h] += coupling(hinges_[h], k) * moves[hinges_[h].vertices[k]];
     return r;
 }
 
 std::vector<double> Hinges::transposed(std::span<const double> y) const {
     std::vector<double> x(normals_.size(), 0.0);
     for (std::size_t h = 0; h < hinges_.size(); ++h)
-        for (std::size_t k = 0; k < 4; ++k) {
-            const Index v = hinges_[h].vertices[k];
-            x[v] += hinges_[h].c[k] * normals_[v].dot(hinges_[h].normal) * y[h];
-        }
+        for (std::size_t k = 0; k < 4; ++k)
+            x[hinges_[h].vertices[k]] += coupling(hinges_[h], k) * y[h];
     return x;
 }
 

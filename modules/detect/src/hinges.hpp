@@ -41,6 +41,9 @@ private:
         double fold;
     };
 
+    /// J_hk: what a move of the hinge's k-th vertex along its normal adds to the fold.
+    double coupling(const Hinge& hinge, std::size_t k) const;
+
     void add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices);
 
     std::span<const Vec3> normals_;

@@ -4,66 +4,14 @@
 #include <algorithm>
 #include <numeric>
 #include <span>
-#include <tuple>
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/sides.hpp>
 
 namespace wm3d {
 
 namespace {
-
-/// An edge as one triangle has it; `forward` if the triangle walks it from low to high.
-struct Side {
-    Index low, high;
-    bool forward;
-    Index triangle;
-};
-
-/// Calls visit(side) for the sides of all triangles.
-template<typename Visitor>
-void for_each_side(const TriangleMesh& mesh, Visitor&& visit) {
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const Triangle& t = mesh.triangles[f];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Index a = t[k], b = t[(k + 1) % 3];
-            if (a != b)
-                visit(Side{std::min(a, b), std::max(a, b), a < b, static_cast<Index>(f)});
-        }
-    }
-}
-
-/// The sides of all triangles in ascending order, so those of one edge together.
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-    // Filed under their lower ends: what is left to sort are the few at one vertex.
-    const std::size_t vertices = mesh.positions.size();
-    std::vector<std::size_t> end(vertices + 1, 0);
-    for_each_side(mesh, [&](const Side& s) { ++end[s.low + 1]; });
-    std::partial_sum(end.begin(), end.end(), end.begin());
-    std::vector<Side> sides(end.back());
-    for_each_side(mesh, [&](const Side& s) { sides[end[s.low]++] = s; });
-    parallel_blocks(vertices, 4096, [&](std::size_t first, std::size_t last) {
-        for (std::size_t v = first; v < last; ++v) {
-            const auto begin = static_cast<std::ptrdiff_t>(v == 0 ? 0 : end[v - 1]);
-            std::sort(sides.begin() + begin, sides.begin() + static_cast<std::ptrdiff_t>(end[v]),
-                      [](const Side& s, const Side& t) {
-                          return std::tie(s.high, s.forward) < std::tie(t.high, t.forward);
-                      });
-        }
-    });
-    return sides;
-}
-
-/// Calls visit(sides) for every edge with the sides that lie on it.
-template<typename Visitor>
-void for_each_edge(const std::vector<Side>& sides, Visitor&& visit) {
-    for (auto first = sides.begin(); first != sides.end();) {
-        const auto last = std::find_if(
-            first, sides.end(), [&](const Side& s) { return s.low != first->low || s.high != first->high; });
-        visit(std::span<const Side>(first, last));
-        first = last;
-    }
-}
 
 /// Disjoint sets of vertices.
 class Sets {

@@ -157,7 +157,7 @@ const std::vector<double>& Msdm2::Prepared::clearances() const {
         parallel_blocks(clearances_.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 const std::span<const Index> own = graph.triangles_at(v);
-                if (std::ranges::any_of(own, [&](Index f) { return area_vector(mesh, f).squaredNorm() > 0; }))
+                if (std::ranges::any_of(own, [&](Index f) { return tree.has_area(f); }))
                     clearances_[v] = tree.distance_but(own, mesh.positions[v], of_marks * own_side);
             }
         });

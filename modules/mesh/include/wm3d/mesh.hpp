@@ -6,6 +6,7 @@
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/neighbours.hpp>
+#include <wm3d/mesh/sides.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/mesh/types.hpp>

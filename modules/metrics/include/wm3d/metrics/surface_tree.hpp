@@ -48,8 +48,10 @@ public:
 
     const TriangleMesh& mesh() const { return *mesh_; }
 
-private:
+    /// Whether a triangle of the mesh is in the tree.
     bool has_area(Index triangle) const { return has_area_[triangle] != 0; }
+
+private:
     ClosestPoint on(Index triangle, const Vec3& query) const;
 
     const TriangleMesh* mesh_;
