@@ -3,13 +3,14 @@
 /// deformed, and shapes without clear axes, all turned, scaled and shifted at random too.
 /// Usage: search_rates FOLDER MINUTES [PREFIX]... makes the trials whose names begin so and that the folder
 /// lacks, for so long; search_rates FOLDER prints the tables of all that are there. Planes, models and keys
-/// take turns, so that whatever was made is a fair sample. Models are looked for in WM3D_MESHES.
+/// take turns, so that whatever was made is a fair sample, until every plane has been tried with every key. Models are looked for in WM3D_MESHES.
 
 #include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <ranges>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -37,11 +38,14 @@ struct Trial {
     std::uint64_t seed = 0;
     std::function<TriangleMesh(const TriangleMesh& marked, std::uint64_t seed)> attack;
     bool mirrored = false; ///< and to be said so
+    std::size_t turn = 0;  ///< of the keys
 
-    std::string name() const {
+    /// What is done to which mark, whoever's it is.
+    std::string cell() const {
         return fmt::format("{}/{}/{}/{}", visible ? "visibility" : "strength", row, model, seed);
     }
-    std::size_t key() const { return seed % key_count; }
+    std::string name() const { return turn == 0 ? cell() : fmt::format("{}/turn {}", cell(), turn); }
+    std::size_t key() const { return (seed + turn) % key_count; }
 };
 
 struct Result {
@@ -93,6 +97,10 @@ std::vector<Trial> all_trials() {
                 trials.push_back({"mirrored", name, visible, seed,
                                   [](const TriangleMesh& m, std::uint64_t) { return mirrored(m); }, true});
         }
+    const std::size_t of_a_turn = trials.size();
+    for (std::size_t turn = 1; turn < key_count; ++turn)
+        for (std::size_t i = 0; i < of_a_turn; ++i)
+            trials.emplace_back(trials[i]).turn = turn;
     return trials;
 }
 
@@ -198,19 +206,31 @@ double middle(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+/// One row of a table.
+struct Row {
+    std::vector<Result> results;
+    std::map<std::string, bool> cells; ///< whether every key that was tried is found in them
+};
+
 /// Rows of what was tried, all models together and each by itself.
 void print_tables(const Rates& rates) {
-    std::map<std::string, std::vector<Result>> rows;
+    std::map<std::string, Row> rows;
     for (const Trial& trial : all_trials())
         if (const Result* result = rates.result(trial)) {
             const std::string mark = trial.visible ? "visibility 0.10" : "strength 0.08 %";
-            rows[fmt::format("{} | {} | all", mark, trial.row)].push_back(*result);
-            rows[fmt::format("{} | {} | {}", mark, trial.row, trial.model)].push_back(*result);
+            for (const std::string& model : {std::string("all"), trial.model}) {
+                Row& row = rows[fmt::format("{} | {} | {}", mark, trial.row, model)];
+                row.results.push_back(*result);
+                const auto entry = row.cells.try_emplace(trial.cell(), true).first;
+                entry->second = entry->second && result->present;
+            }
         }
     fmt::print(
-        "| mark | copy | model | present at 1e-6 | median log10 p | worst | seconds of the processor, "
-        "median | most | centres, median | most effort |\n|---|---|---|---|---|---|---|---|---|---|\n");
-    for (const auto& [name, results] : rows) {
+        "| mark | copy | model | present at 1e-6 | with every key | median log10 p | worst | seconds of the "
+        "processor, median | most | centres, median | most effort "
+        "|\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const auto& [name, row] : rows) {
+        const auto& [results, cells] = row;
         std::vector<double> p, seconds, centres, effort;
         for (const Result& r : results) {
             p.push_back(r.log10_p);
@@ -218,8 +238,9 @@ void print_tables(const Rates& rates) {
             centres.push_back(static_cast<double>(r.centres));
             effort.push_back(r.effort);
         }
-        fmt::print("| {} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {} |\n", name,
-                   std::ranges::count(results, true, &Result::present), results.size(), middle(p),
+        fmt::print("| {} | {} of {} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {} |\n", name,
+                   std::ranges::count(results, true, &Result::present), results.size(),
+                   std::ranges::count(cells | std::views::values, true), cells.size(), middle(p),
                    std::ranges::max(p), middle(seconds), std::ranges::max(seconds), middle(centres),
                    std::ranges::max(effort));
     }

@@ -270,8 +270,10 @@ ordered_json to_json(const VerifyArguments& arguments, const watermark::VerifyRe
     if (report.doubt != watermark::Doubt::none)
         json["reason"] = name(report.doubt);
     if (report.filter)
-        json["filter"] = {
-            {"t", report.filter->t}, {"power", report.filter->power}, {"hinges", report.filter->hinges}};
+        json["filter"] = {{"t", report.filter->t},
+                          {"power", report.filter->power},
+                          {"hinges", report.filter->hinges},
+                          {"noise", report.filter->noise}};
     if (report.search) {
         json["search"] = search_json(*report.search);
         if (report.search->pose) // more than an integer holds

@@ -51,8 +51,10 @@ Geometry::Geometry(TriangleMesh mesh, int steps)
     : calming(steps), positions(mesh.positions), normals(vertex_normals(mesh)), surface(mesh) {}
 
 std::string describe(const Filter& filter) {
-    return filter.hinges > 0 ? fmt::format("hinges of {:g}", filter.hinges)
-                             : fmt::format("filter t = {:g}, power {:g}", filter.t, filter.power);
+    if (filter.hinges == 0)
+        return fmt::format("filter t = {:g}, power {:g}", filter.t, filter.power);
+    return filter.noise > 0 ? fmt::format("hinges of {:g}, noise {:g}", filter.hinges, filter.noise)
+                            : fmt::format("hinges of {:g}", filter.hinges);
 }
 
 struct Evidence::Core {
@@ -100,7 +102,7 @@ struct Evidence::Core {
                                        std::span<const Smooth> smooth) const {
         const Filter& filter = options.filters[f];
         if (filter.hinges > 0)
-            return hinge_residual(*hinges, filter.hinges);
+            return hinge_residual(*hinges, filter.hinges, filter.noise);
         const auto low = std::ranges::find_if(
             smooth, [&](const Smooth& s) { return s.geometry == geometry[f] && s.t == filter.t; });
         return diffusion_residual(base, geometries[geometry[f]], filter, options.variance_floor,

@@ -1,53 +1,121 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "conjugate_gradients.hpp"
 #include "residual.hpp"
 
 namespace wm3d::detect {
 
 namespace {
 
+/// Of the solution that carries folds back: an error of this part costs its square of the score.
+constexpr double whitening_tolerance = 1e-2;
+
+constexpr int most_steps = 500;
+
+/// D^-1/2 (I + sigma^2 J^T diag(g) J) D^-1/2 with D the diagonal of the middle, so that its own is 1: weights of the
+/// hinges lie decades apart.
+class Whitening {
+public:
+    Whitening(const Hinges& hinges, std::vector<double> weights, double noise)
+        : hinges_(hinges), weights_(std::move(weights)), scale_(hinges.squares(weights_)) {
+        for (double& g : weights_)
+            g *= noise * noise;
+        for (double& s : scale_)
+            s = 1 / std::sqrt(1 + noise * noise * s);
+    }
+
+    double diagonal(std::size_t) const { return 1; }
+
+    std::array<double, 1> times(const Together<1>& x, Together<1>& y) const {
+        std::vector<double> moves(x.size());
+        for (std::size_t i = 0; i < x.size(); ++i)
+            moves[i] = scale_[i] * x[i][0];
+        std::vector<double> folds = hinges_.folds_of(moves);
+        for (std::size_t h = 0; h < folds.size(); ++h)
+            folds[h] *= weights_[h];
+        const std::vector<double> back = hinges_.transposed(folds);
+        double product = 0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            y[i][0] = scale_[i] * (moves[i] + back[i]);
+            product += x[i][0] * y[i][0];
+        }
+        return {product};
+    }
+
+    /// (I + sigma^2 J^T diag(g) J)^-1 y, #V.
+    std::vector<double> solved(std::vector<double> y) const {
+        Together<1> right(y.size()), x(y.size(), std::array{0.0});
+        for (std::size_t i = 0; i < y.size(); ++i)
+            right[i][0] = scale_[i] * y[i];
+        solve(*this, right, x, whitening_tolerance, most_steps);
+        for (std::size_t i = 0; i < y.size(); ++i)
+            y[i] = scale_[i] * x[i][0];
+        return y;
+    }
+
+private:
+    const Hinges& hinges_;
+    std::vector<double> weights_; ///< sigma^2 g
+    std::vector<double> scale_;   ///< D^-1/2
+};
+
 class HingeResidual : public Residual {
 public:
-    HingeResidual(const Hinges& hinges, double scale)
-        : hinges_(hinges), folds_(hinges.folds()), square_(scale * scale) {
-        pulled_ = hinges_.transposed(counted(folds_));
+    HingeResidual(const Hinges& hinges, double scale, double noise)
+        : hinges_(hinges), noise_(noise), square_(scale * scale), folds_(hinges.folds()) {
+        pulled_ = pull(folds_);
     }
 
     std::vector<double> pulled_by(std::vector<double> moves) const override {
         std::vector<double> sum = hinges_.folds_of(moves);
         for (std::size_t h = 0; h < sum.size(); ++h)
             sum[h] += folds_[h];
-        std::vector<double> y = hinges_.transposed(counted(sum));
+        std::vector<double> y = pull(sum);
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] -= pulled_[i];
         return y;
     }
 
+    /// J^T (g J S bumps) n, S the inverse of the whitening, which is symmetric
     std::vector<Vec3> gradient(std::vector<double> bumps) const override {
-        std::vector<double> y = hinges_.folds_of(bumps);
+        std::vector<double> g = weights(folds_);
+        std::vector<double> y = hinges_.folds_of(whitened(std::move(bumps), g));
         for (std::size_t h = 0; h < y.size(); ++h)
-            y[h] *= weight(folds_[h]);
+            y[h] *= g[h];
         return hinges_.gradient(y);
     }
 
 private:
     /// Cauchy's: of folds whose sizes are spread over decades, the small ones tell of the mark.
-    double weight(double fold) const { return 1 / (fold * fold + square_); }
+    std::vector<double> weights(std::span<const double> folds) const {
+        std::vector<double> g(folds.size());
+        std::ranges::transform(folds, g.begin(), [this](double r) { return 1 / (r * r + square_); });
+        return g;
+    }
 
-    std::vector<double> counted(std::vector<double> folds) const {
-        for (double& r : folds)
-            r *= weight(r);
-        return folds;
+    std::vector<double> whitened(std::vector<double> y, std::vector<double> g) const {
+        return noise_ > 0 ? Whitening(hinges_, std::move(g), noise_).solved(std::move(y)) : y;
+    }
+
+    /// S J^T (g r)
+    std::vector<double> pull(std::span<const double> folds) const {
+        std::vector<double> g = weights(folds), counted(folds.size());
+        for (std::size_t h = 0; h < folds.size(); ++h)
+            counted[h] = g[h] * folds[h];
+        return whitened(hinges_.transposed(counted), std::move(g));
     }
 
     const Hinges& hinges_;
+    double noise_, square_;
     std::vector<double> folds_;
-    double square_;
 };
 
 } // namespace
 
-std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, double scale) {
-    return std::make_unique<HingeResidual>(hinges, scale);
+std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, double scale, double noise) {
+    return std::make_unique<HingeResidual>(hinges, scale, noise);
 }
 
 } // namespace wm3d::detect

@@ -39,8 +39,10 @@ void Hinges::add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices)
     const double across = left_height / (left_height + right_height);
     const double along = std::lerp(edge.dot(to_left), edge.dot(to_right), across) / square;
     const Eigen::Vector4d c = Eigen::Vector4d(along - 1, -along, 1 - across, across).normalized();
-    Hinge hinge{vertices, {c[0], c[1], c[2], c[3]}, normal.normalized(), 0};
+    Hinge hinge{vertices, {c[0], c[1], c[2], c[3]}, {}, normal.normalized(), 0};
     hinge.fold = hinge.normal.dot(c[1] * edge + c[2] * to_left + c[3] * to_right); // c sums to 0
+    for (std::size_t k = 0; k < 4; ++k)
+        hinge.couplings[k] = c[static_cast<Eigen::Index>(k)] * normals_[vertices[k]].dot(hinge.normal);
     hinges_.push_back(hinge);
 }
 
@@ -50,15 +52,11 @@ std::vector<double> Hinges::folds() const {
     return r;
 }
 
-double Hinges::coupling(const Hinge& hinge, std::size_t k) const {
-    return hinge.c[k] * normals_[hinge.vertices[k]].dot(hinge.normal);
-}
-
 std::vector<double> Hinges::folds_of(std::span<const double> moves) const {
     std::vector<double> r(hinges_.size(), 0.0);
     for (std::size_t h = 0; h < r.size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            r[h] += coupling(hinges_[h], k) * moves[hinges_[h].vertices[k]];
+            r[h] += hinges_[h].couplings[k] * moves[hinges_[h].vertices[k]];
     return r;
 }
 
@@ -66,7 +64,15 @@ std::vector<double> Hinges::transposed(std::span<const double> y) const {
     std::vector<double> x(normals_.size(), 0.0);
     for (std::size_t h = 0; h < hinges_.size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            x[hinges_[h].vertices[k]] += coupling(hinges_[h], k) * y[h];
+            x[hinges_[h].vertices[k]] += hinges_[h].couplings[k] * y[h];
+    return x;
+}
+
+std::vector<double> Hinges::squares(std::span<const double> g) const {
+    std::vector<double> x(normals_.size(), 0.0);
+    for (std::size_t h = 0; h < hinges_.size(); ++h)
+        for (std::size_t k = 0; k < 4; ++k)
+            x[hinges_[h].vertices[k]] += hinges_[h].couplings[k] * hinges_[h].couplings[k] * g[h];
     return x;
 }
 

@@ -30,19 +30,20 @@ public:
     /// J^T y, #V, summed in the order of the hinges.
     std::vector<double> transposed(std::span<const double> y) const;
 
+    /// The diagonal of J^T diag(g) J, #V, for weights g of the hinges.
+    std::vector<double> squares(std::span<const double> g) const;
+
     /// The sum of y_h c_k n_h at each vertex, #V: how the sum of y_h r_h grows with its moves in any direction.
     std::vector<Vec3> gradient(std::span<const double> y) const;
 
 private:
     struct Hinge {
         std::array<Index, 4> vertices;
-        std::array<double, 4> c;
+        std::array<double, 4> c,
+            couplings; ///< of J: what a move of each vertex along its normal adds to the fold
         Vec3 normal;
         double fold;
     };
-
-    /// J_hk: what a move of the hinge's k-th vertex along its normal adds to the fold.
-    double coupling(const Hinge& hinge, std::size_t k) const;
 
     void add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices);
 

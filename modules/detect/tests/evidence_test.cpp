@@ -87,9 +87,9 @@ TEST_CASE("a mark raises the score of its own key by about what was predicted, a
         CAPTURE(f);
         const LinearStatistic before = clean.statistic(f, rows, rmax), after = found.statistic(f, rows, rmax);
         CHECK(std::abs(before.value(w)) < 5 * before.sigma());
-        CHECK(after.value(w) > 8 * after.sigma());
+        CHECK(after.value(w) > 5 * after.sigma());
         CHECK(std::abs(after.value(other)) < 5 * after.sigma());
-        CHECK(exact_tail(after, after.value(w)).log10_p < -12);
+        CHECK(exact_tail(after, after.value(w)).log10_p < -8);
         const double predicted = clean.expected_sigmas(f, rows, w, rmax, std::sqrt(squares / total));
         CHECK(predicted == doctest::Approx(after.value(w) / after.sigma()).epsilon(0.3));
     }
@@ -137,7 +137,29 @@ TEST_CASE(
         const LinearStatistic t = Evidence(suspect, options).statistic(0, rows, rmax);
         return t.value(w) / t.sigma();
     };
-    CHECK(sigmas(Filter::of_hinges(2e-4, true)) > 2 * std::max(3.0, sigmas({3e-5, 1.0, 3e-4})));
+    CHECK(sigmas(Filter::of_hinges(2e-4, 3e-4, true)) > 2 * std::max(3.0, sigmas({3e-5, 1.0, 3e-4})));
+}
+
+TEST_CASE("folds that are whitened bear the noise of the vertices") {
+    const TriangleMesh host = steps();
+    const sphere::SparseRows rows = rows_of(host);
+    const std::vector<double> w = sequence(8);
+    TriangleMesh suspect = marked(host, rows, w, 0.004);
+    const std::vector<double> noise = sequence(9);
+    for (std::size_t i = 0; i < suspect.positions.size(); ++i)
+        for (int k = 0; k < 3; ++k)
+            suspect.positions[i][k] +=
+                0.0015 / rmax * noise[(3 * i + static_cast<std::size_t>(k)) % noise.size()];
+    EvidenceOptions options;
+    options.filters = {Filter::of_hinges(2e-4, 0), Filter::of_hinges(2e-4, 2e-3)};
+    const Evidence evidence(suspect, options);
+    const auto sigmas = [&](std::size_t f) {
+        const LinearStatistic t = evidence.statistic(f, rows, rmax);
+        return t.value(w) / t.sigma();
+    };
+    CAPTURE(sigmas(0));
+    CAPTURE(sigmas(1));
+    CHECK(sigmas(1) > 1.3 * std::max(sigmas(0), 3.0));
 }
 
 TEST_CASE("surfaces that say little are borne: flat, tiny, degenerate") {

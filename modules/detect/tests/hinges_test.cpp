@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../src/hinges.hpp"
+#include "../src/residual.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <doctest/doctest.h>
 
+#include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/shapes.hpp>
 
@@ -113,4 +114,56 @@ TEST_CASE("borders, edges of three triangles, doubled and folded back ones are n
     mesh = hinge(0.3);
     mesh.positions[3] = {1.5, 0, 0};
     CHECK(Hinges(mesh, vertex_normals(mesh)).size() == 0); // a triangle without area
+}
+
+TEST_CASE("squares are the diagonal of J^T g J") {
+    const TriangleMesh mesh = shapes::blob(200, 3);
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Hinges hinges(mesh, normals);
+    std::vector<double> g = some_numbers(hinges.size());
+    for (double& x : g)
+        x = 2 + x;
+    const std::vector<double> squares = hinges.squares(g);
+    std::vector<double> move(mesh.positions.size(), 0.0);
+    for (std::size_t i = 0; i < move.size(); ++i) {
+        move[i] = 1;
+        const std::vector<double> folds = hinges.folds_of(move);
+        double sum = 0;
+        for (std::size_t h = 0; h < folds.size(); ++h)
+            sum += g[h] * folds[h] * folds[h];
+        CHECK(squares[i] == doctest::Approx(sum).epsilon(1e-12));
+        move[i] = 0;
+    }
+}
+
+TEST_CASE("whitened folds are (I + noise^2 J^T g J)^-1 J^T (g r)") {
+    constexpr double scale = 1e-3, noise = 2e-3, tolerance = 1e-2;
+    const TriangleMesh blob = shapes::blob(1500, 3);
+    const TriangleMesh mesh = to_frame(blob, canonical_frame(blob));
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Hinges hinges(mesh, normals);
+    const std::vector<double> r = hinges.folds();
+    const auto weighted = [&](std::vector<double> folds) {
+        for (std::size_t h = 0; h < folds.size(); ++h)
+            folds[h] /= r[h] * r[h] + scale * scale;
+        return hinges.transposed(folds);
+    };
+    const std::vector<double> right = weighted(r);
+    const auto residual = detect::hinge_residual(hinges, scale, noise);
+    const std::vector<double> q(residual->pulled().begin(), residual->pulled().end());
+    const std::vector<double> back = weighted(hinges.folds_of(q));
+    std::vector<double> g(r.size());
+    for (std::size_t h = 0; h < r.size(); ++h)
+        g[h] = 1 / (r[h] * r[h] + scale * scale);
+    const std::vector<double> squares = hinges.squares(g);
+    double error = 0, size = 0; // in the norm of the diagonal's inverse
+    for (std::size_t i = 0; i < q.size(); ++i) {
+        const double diagonal = 1 + noise * noise * squares[i];
+        error += std::pow(q[i] + noise * noise * back[i] - right[i], 2) / diagonal;
+        size += right[i] * right[i] / diagonal;
+    }
+    CHECK(std::sqrt(error / size) < 1.01 * tolerance);
+    // Without noise nothing is solved.
+    const auto plain = detect::hinge_residual(hinges, scale, 0);
+    CHECK(std::vector<double>(plain->pulled().begin(), plain->pulled().end()) == right);
 }

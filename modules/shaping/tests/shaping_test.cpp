@@ -97,7 +97,8 @@ TEST_CASE("the detector's template is the gradient of T") {
     const Host host(7);
     detect::EvidenceOptions options;
     // Of this scale no fold changes its weight.
-    options.filters = {shaping::Blend{}.filter, detect::Filter::of_hinges(1, false)};
+    options.filters = {shaping::Blend{}.filter, detect::Filter::of_hinges(1, 0),
+                       detect::Filter::of_hinges(1, 0.5)};
     const detect::Evidence evidence(host.base, options);
     // A smooth move of all vertices, small enough to be linear, far from the host's own residual.
     const std::vector<Vec3> normals = vertex_normals(host.base);

@@ -236,12 +236,13 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     const auto score_of = [&](const watermark::Examination& look) {
         return watermark::score_look(look.family(), sequences, may_look_closer, setting_.search_effort > 0);
     };
-    tell(item, name.mark, examination, score_of(examination), sequences);
-    if (may_look_closer && item.log10_p > log10_searched_pf) {
+    const detect::FamilyScore first = score_of(examination);
+    tell(item, name.mark, examination, first, sequences);
+    if (may_look_closer && watermark::is_close_call(first, log10_searched_pf)) {
         const watermark::Examination closer = watermark::look_closer(suspect, examination);
-        const detect::FamilyScore score = score_of(closer);
-        if (score.log10_p < item.log10_p)
-            tell(item, name.mark, closer, score, sequences);
+        const detect::FamilyScore second = score_of(closer);
+        if (second.log10_p < first.log10_p)
+            tell(item, name.mark, closer, second, sequences);
     }
     if (setting_.search_effort > 0 && item.log10_p > log10_searched_pf)
         search(item, name.mark, suspect, examination, sequences);

@@ -13,6 +13,10 @@ bool can_look_closer(const Suspect& suspect) {
     return suspect.base.positions.size() < all && all <= most_examined;
 }
 
+bool is_close_call(const detect::FamilyScore& first, double log10_pf) {
+    return first.log10_p > 2 * log10_pf;
+}
+
 Examination look_closer(const Suspect& suspect, const Examination& first) {
     ExaminationOptions options = first.options();
     options.vertices = most_examined;

@@ -304,7 +304,7 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     report.score = score_of_look(all, suspect, sequences, options);
     tell(report, all, key, sequences, options);
     std::optional<Hypotheses> closer;
-    if (may_look_closer(suspect, options) && report.verdict != detect::Verdict::present) {
+    if (may_look_closer(suspect, options) && is_close_call(report.score, std::log10(options.pf))) {
         notify(progress, "looking closer", 0);
         closer.emplace(closer_hypotheses(suspect, all));
         tell_better(report, all, *closer, suspect, key, sequences, options);

@@ -37,23 +37,29 @@ struct Filter {
     /// one plane have none. They count by Cauchy's weights of this scale, in units of the mean radius: the mark
     /// tells in folds of about its own size, however many larger ones a machined part has.
     double hinges = 0;
+    /// Of hinges: independent moves of the vertices that the folds are whitened against, in units of the mean
+    /// radius. A fold of four vertices that each lie off by as much tells the less of any one of them the more
+    /// of its neighbours' folds do.
+    double noise = 0;
     /// The statistic's coefficients count by the roots of their sizes: where the mark is strong, it is its own
     /// noise, and few places with many or stiff triangles would drown the others.
     bool evened = false;
 
-    static Filter of_hinges(double scale, bool evened) { return {0, 0, 0, 0, 0, 0, scale, evened}; }
+    static Filter of_hinges(double scale, double noise, bool evened = false) {
+        return {0, 0, 0, 0, 0, 0, scale, noise, evened};
+    }
 };
 
-/// "filter t = 0.0002, power 0.5", or "hinges of 0.001".
+/// "filter t = 0.0002, power 0.5", or "hinges of 0.001, noise 0.0006".
 std::string describe(const Filter& filter);
 
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.
     std::vector<Filter> filters{
-        Filter::of_hinges(2e-4, true), {2e-4, 0.5, 3e-3},          {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, true},
-        {1e-4, 0.5, 1e-3, 3e-4, 3},    {3e-4, 0.5, 1e-3, 3e-4, 3}, Filter::of_hinges(1e-3, false),
-        Filter::of_hinges(5e-3, false)};
+        Filter::of_hinges(2e-4, 5e-4), {2e-4, 0.5, 3e-3},          {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, 0, true},
+        Filter::of_hinges(2e-3, 8e-3), {3e-4, 0.5, 1e-3, 3e-4, 3}, Filter::of_hinges(1e-3, 6e-4),
+        Filter::of_hinges(5e-3, 2e-3)};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };
@@ -75,7 +81,7 @@ public:
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
     std::span<const double> visibility() const { return visibility_.front(); }
 
-    /// q = diag(d.n) HP^T (a g e), or diag(d.n) J^T (g r) for folds r = J x, #base vertices: T is the sum of q_i
+    /// q = diag(d.n) HP^T (a g e), or diag(d.n) S J^T (g r) for folds r = J x, #base vertices: T is the sum of q_i
     /// times the bump in the direction of vertex i, wherever the sphere lies, unless the filter is evened.
     std::vector<double> weights_at(std::size_t f) const;
 
@@ -86,7 +92,7 @@ public:
 
     /// T = sum_j c_j w_j with c = B^T diag(d.n) LP^T HP^T (a g e): a the vertex areas, e the normal residual
     /// n . HP x, g its weights, HP = I - (M + tL)^-1 M, LP the low pass of the template, if it has one. For
-    /// hinges c = B^T diag(d.n) J^T (g r). Evened: the roots of these, with their signs.
+    /// hinges c = B^T diag(d.n) S J^T (g r), S = (I + noise^2 J^T g J)^-1. Evened: the roots of these, with their signs.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
 
     /// The same with what is read at a vertex spread over the points around it; `rows` are B for the samples.

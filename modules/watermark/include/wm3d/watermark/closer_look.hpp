@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// \file  A second look at a suspect where the first, at fewer vertices, finds nothing.
+/// \file  A second look at a suspect where the first, at fewer vertices, finds nothing, or just so.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,9 @@ inline constexpr std::size_t most_examined = 50'000;
 /// Whether a closer look shows more: the first was at a copy with fewer vertices, and all are not too many.
 /// Known before any key is looked at, so that the price of both looks can be fixed.
 bool can_look_closer(const Suspect& suspect);
+
+/// Whether the first look leaves the answer open: it found nothing at this P_f, or not at its square.
+bool is_close_call(const detect::FamilyScore& first, double log10_pf);
 
 /// The suspect on all of its vertices, in the poses of the first look.
 /// \pre  can_look_closer(suspect)
