@@ -213,7 +213,7 @@ void peer(std::size_t trials) {
     for (Vec3& p : base.positions)
         p = (p - out.centroid) / out.radius;
     const detect::Evidence evidence(base);
-    const std::vector<double> q = evidence.weights_at(1);
+    const std::vector<double> q = evidence.weights_at(search::SearchOptions{}.filter);
     const sphere::Icosphere sphere(5);
     const search::KeyFunction key(sphere, key::watermark_sequence(key::null_secret(1, 1), 5, 0.1), 0.1);
     constexpr unsigned bandwidth = 64;
@@ -257,8 +257,9 @@ float highest(const TriangleMesh& base, const detect::Evidence& evidence, const 
     std::vector<Vec3> directions = base.positions;
     for (Vec3& d : directions)
         d -= centre;
-    const search::Harmonics f = search::HarmonicTransform(w.bandwidth)
-                                    .of_points(directions, evidence.seen_from(centre).weights_at(1));
+    const search::Harmonics f =
+        search::HarmonicTransform(w.bandwidth)
+            .of_points(directions, evidence.seen_from(centre).weights_at(search::SearchOptions{}.filter));
     float best = 0;
     search::RotationCorrelation<float>(w.bandwidth, 2 * w.bandwidth)(
         f, w, [&](std::size_t, std::span<const float> t) { best = std::max(best, std::ranges::max(t)); });
@@ -332,8 +333,8 @@ void picture(std::size_t trials) {
             std::vector<Vec3> directions = base.positions;
             for (Vec3& d : directions)
                 d -= centre;
-            const search::Harmonics f =
-                transform.of_points(directions, evidence.seen_from(centre).weights_at(1));
+            const search::Harmonics f = transform.of_points(
+                directions, evidence.seen_from(centre).weights_at(search::SearchOptions{}.filter));
             float best = 0;
             correlation(f, w, [&](std::size_t, std::span<const float> t) {
                 best = std::max(best, std::ranges::max(t));

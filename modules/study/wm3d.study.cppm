@@ -445,6 +445,7 @@ using wm3d::watermark::FoundPose;
 using wm3d::watermark::identify;
 using wm3d::watermark::IdentifyOptions;
 using wm3d::watermark::IdentifyReport;
+using wm3d::watermark::is_close_call;
 using wm3d::watermark::IssuedCopy;
 using wm3d::watermark::KnownPose;
 using wm3d::watermark::largest_parts;

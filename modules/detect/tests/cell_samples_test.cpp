@@ -39,9 +39,9 @@ TEST_CASE("an enlarged statistic depends on the suspect alone and has no other s
     const detect::CellSamples samples(mesh, 20000);
     const sphere::Icosphere sphere(3);
     const detect::LinearStatistic at_vertices =
-        evidence.statistic(1, sphere::barycentric_rows(sphere, mesh.positions), 0.1);
+        evidence.statistic(5, sphere::barycentric_rows(sphere, mesh.positions), 0.1);
     const detect::LinearStatistic in_cells =
-        evidence.statistic(1, samples, sphere::barycentric_rows(sphere, samples.positions()), 0.1);
+        evidence.statistic(5, samples, sphere::barycentric_rows(sphere, samples.positions()), 0.1);
     const auto sum = [](std::span<const double> c) { return std::accumulate(c.begin(), c.end(), 0.0); };
     CHECK(sum(in_cells.coefficients()) == doctest::Approx(sum(at_vertices.coefficients())).epsilon(1e-9));
     CHECK(in_cells.sigma() < at_vertices.sigma()); // a mean varies less than a point

@@ -87,10 +87,10 @@ std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Seque
         std::vector<std::size_t> filters; ///< of the bank, those that such damage leaves the most to
     };
     const std::vector<Attack> attacks{
-        {"noise 0.3 %", [&] { return with_noise(base, 0.3); }, {3, 6}},
-        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {2, 5}},
-        {"8 bits", [&] { return rounded(base, 8); }, {3, 6}},
-        {"1/4 of the vertices", [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }, {5, 6}}};
+        {"noise 0.3 %", [&] { return with_noise(base, 0.3); }, {2, 5}},
+        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {1, 4}},
+        {"8 bits", [&] { return rounded(base, 8); }, {2, 5}},
+        {"1/4 of the vertices", [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }, {4, 5}}};
     std::vector<Rehearsed> results(attacks.size());
     const sphere::Icosphere sphere(level);
     const std::span<const double> w = sequences(level);

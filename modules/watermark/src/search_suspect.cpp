@@ -191,36 +191,40 @@ std::vector<unsigned> SuspectSearch::ordered_levels(std::size_t vertices) const 
     return levels;
 }
 
-/// The likeliest places at the two likeliest levels, and closer together; then the likeliest level on a wide
-/// lattice of centres, the next level, the mirror image, the fine lattice, and the rest.
+/// The likeliest places at the two likeliest levels, and closer together; then the likeliest level on a wide and on a
+/// fine lattice of centres in turn, the next level, the mirror image, and the rest. A weak mark shows on the fine one
+/// alone, a strong one is found sooner on the wide one.
 std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Units& units, double pairs) {
     const std::vector<unsigned> levels = ordered_levels(piece.suspect->mesh.positions.size());
-    wide_ = lattice_of_centres(units, wide_covering, pairs * (piece.extent == Extent::all ? 0.55 : 1));
-    fine_ = piece.extent == Extent::all ? lattice_of_centres(units, fine_covering, pairs * 0.1)
-                                        : std::vector<Vec3>{};
-    close_ = piece.extent == Extent::all ? lattice_of_centres(units, close_covering, pairs * 0.08)
-                                         : std::vector<Vec3>{};
-    const auto first = [&](double part) {
-        const auto count = piece.extent == Extent::all ? std::ceil(part * static_cast<double>(wide_.size()))
-                                                       : static_cast<double>(wide_.size());
-        return std::span<const Vec3>(wide_).first(static_cast<std::size_t>(count));
+    const bool everywhere = piece.extent == Extent::all;
+    wide_ = lattice_of_centres(units, wide_covering, pairs * (everywhere ? 0.35 : 1));
+    fine_ = everywhere ? lattice_of_centres(units, fine_covering, pairs * 0.38) : std::vector<Vec3>{};
+    close_ = everywhere ? lattice_of_centres(units, close_covering, pairs * 0.15) : std::vector<Vec3>{};
+    std::vector<search::Target> result;
+    const auto look = [&](std::size_t level, const std::vector<Vec3>& centres, double from, double to,
+                          bool mirrored = false) {
+        const auto at = [&](double part) {
+            return std::min(centres.size(), static_cast<std::size_t>(std::ceil(part)));
+        };
+        if (level < levels.size() && at(from) < at(to))
+            result.push_back({levels[level], &key(levels[level]), mirrored,
+                              std::span(centres).subspan(at(from), at(to) - at(from))});
     };
-    const std::size_t soon = std::min<std::size_t>(128, first(0.35).size());
-    std::vector<search::Target> result{
-        {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).first(soon)}};
-    if (levels.size() > 1)
-        result.push_back({levels[1], &key(levels[1]), false, first(0.35).first(soon)});
+    const auto wide = static_cast<double>(wide_.size()), fine = static_cast<double>(fine_.size());
+    constexpr double soon = 128, likely = 600; // centres of the wide lattice, which has most after these
+    look(0, wide_, 0, soon);
+    look(1, wide_, 0, everywhere ? std::min(soon, 0.35 * wide) : soon);
     if (piece.extent == Extent::near)
         return result;
-    result.push_back({levels.front(), &key(levels.front()), false, close_});
-    result.push_back(
-        {levels.front(), &key(levels.front()), false, std::span<const Vec3>(wide_).subspan(soon)});
-    if (levels.size() > 1)
-        result.push_back({levels[1], &key(levels[1]), false, first(0.35).subspan(soon)});
-    result.push_back({levels.front(), &key(levels.front()), true, first(0.2)});
-    result.push_back({levels.front(), &key(levels.front()), false, fine_});
-    for (std::size_t k = 2; k < levels.size(); ++k)
-        result.push_back({levels[k], &key(levels[k]), false, first(0.1)});
+    look(0, close_, 0, static_cast<double>(close_.size()));
+    look(0, wide_, soon, likely);
+    look(0, fine_, 0, 0.4 * fine);
+    look(0, wide_, likely, wide);
+    look(0, fine_, 0.4 * fine, fine);
+    look(1, wide_, soon, everywhere ? 0.35 * wide : wide);
+    look(0, wide_, 0, everywhere ? 0.2 * wide : wide, true);
+    for (std::size_t level = 2; level < levels.size(); ++level)
+        look(level, wide_, 0, everywhere ? 0.1 * wide : wide);
     return result;
 }
 

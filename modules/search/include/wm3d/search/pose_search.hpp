@@ -16,7 +16,7 @@ namespace wm3d::search {
 
 struct SearchOptions {
     unsigned bandwidth = 64;   ///< of the harmonics: 128^3 rotations for each centre
-    std::size_t filter = 1;    ///< of the evidence, whose T is searched
+    std::size_t filter = 5;    ///< of the evidence, whose T is searched
     double promising = 6.0;    ///< standard deviations from which a pose is refined at once
     std::size_t finalists = 8; ///< less promising poses that are refined when all centres were tried
     double convincing = 8.0;   ///< standard deviations from which a refined pose is offered
