@@ -166,9 +166,12 @@ Searcher::Found Searcher::closer(Found found) const {
             const Vec3 corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
             around[k] = best_rotation(*found.prepared, middle + step / std::sqrt(3.0) * corner);
         });
+        const double before = found.candidate.sigmas;
         for (const Found& other : around)
             if (other.candidate.sigmas > found.candidate.sigmas)
                 found = other;
+        if (found.candidate.sigmas == before && before < options_.worth_a_climb)
+            break; // the right peak grows on its way in
     }
     return found;
 }
@@ -192,7 +195,7 @@ Candidate Searcher::climbed_around(const Found& found) const {
 }
 
 void Searcher::refine_and_offer(const Found& found) {
-    const Candidate better = climbed_around(closer(found));
+    const Candidate better = climbed_around(found);
     ++outcome_.refined;
     remember(hopeful_, {better, found.prepared}, options_.finalists);
     offer(better);
@@ -215,7 +218,10 @@ void Searcher::run(const Target& target, const Progress& progress, double done_b
         std::ranges::stable_sort(found, std::greater{}, [](const Found& f) { return f.candidate.sigmas; });
         // Neighbouring centres see the same peak: the highest two of a chunk are enough.
         for (std::size_t k = 0; k < found.size() && !accepted(); ++k) {
-            if (k < 2 && found[k].candidate.sigmas >= options_.promising)
+            const bool promising = k < 2 && found[k].candidate.sigmas >= options_.promising;
+            if (promising)
+                found[k] = closer(found[k]);
+            if (promising && found[k].candidate.sigmas >= options_.worth_a_climb)
                 refine_and_offer(found[k]);
             else
                 remember(finalists_, found[k], options_.finalists);
@@ -226,7 +232,7 @@ void Searcher::run(const Target& target, const Progress& progress, double done_b
 void Searcher::finish(const Progress& progress) {
     for (std::size_t k = 0; k < finalists_.size() && !accepted(); ++k) {
         notify(progress, "refining poses", static_cast<double>(k) / static_cast<double>(finalists_.size()));
-        refine_and_offer(finalists_[k]);
+        refine_and_offer(closer(finalists_[k]));
     }
     const std::vector<Found> starts = hopeful_;
     for (std::size_t k = 0; k < starts.size() && !accepted(); ++k) {

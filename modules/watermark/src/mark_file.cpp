@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/payload/recipients.hpp>
 #include <wm3d/watermark/receipt.hpp>
@@ -177,6 +180,44 @@ io::Format format_of(const std::filesystem::path& path, const std::optional<io::
 }
 
 /// One mark and its verdict. For a loss, the remedy is still to be found, but where no mark is little enough to be seen.
+/// The vertices that lie in one place with another.
+std::vector<Index> fallen_together(std::span<const Vec3> positions) {
+    std::vector<Index> order(positions.size());
+    std::iota(order.begin(), order.end(), Index{0});
+    const auto place = [&](Index v) {
+        return std::tuple(positions[v].x(), positions[v].y(), positions[v].z());
+    };
+    std::ranges::sort(order, {}, place);
+    std::vector<Index> together;
+    for (std::size_t k = 0; k + 1 < order.size(); ++k)
+        if (place(order[k]) == place(order[k + 1]))
+            together.insert(together.end(), {order[k], order[k + 1]});
+    return together;
+}
+
+/// Positions whose vertices stay where they were if the file's steps would let them fall together, which readers
+/// take for one vertex, or turn a face over.
+std::vector<Vec3> kept_apart(const io::Model& model, std::vector<Vec3> positions) {
+    const TriangleMesh& mesh = model.mesh();
+    for (bool any = true; any;) {
+        const std::vector<Vec3> stored = model.stored_positions(positions);
+        std::vector<Index> back = fallen_together(stored);
+        for (const Index f : embed::turned_faces(mesh, stored))
+            back.insert(back.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+        any = false;
+        for (const Index v : back) {
+            any |= positions[v] != mesh.positions[v];
+            positions[v] = mesh.positions[v];
+        }
+    }
+    return positions;
+}
+
+/// Whether the file as it would be written holds the surface of the one that was read, its vertices moved.
+bool is_same_surface(const TriangleMesh& written, const TriangleMesh& mesh) {
+    return written.triangles == mesh.triangles && embed::turned_faces(mesh, written.positions).empty();
+}
+
 MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
                       const Progress& progress) {
     MarkedModel result;
@@ -191,7 +232,12 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         return result;
     }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
-    const io::Model written = model.read_back(result.files);
+    io::Model written = model.read_back(result.files);
+    if (!is_same_surface(written.mesh(), model.mesh())) {
+        result.marked.positions = kept_apart(model, std::move(result.marked.positions));
+        result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
+        written = model.read_back(result.files);
+    }
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
     result.check = verify(suspect, key, check, progress);

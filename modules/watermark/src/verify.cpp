@@ -136,7 +136,7 @@ Hypotheses hypotheses(const Suspect& mesh, const key::Key& key, const VerifyOpti
 bool searched_in_earnest(const VerifyReport& report) {
     constexpr double one_in_a_hundred = 2.33;
     return report.search && report.search->complete &&
-           report.search->expected_sigmas > search::SearchOptions{}.promising + one_in_a_hundred;
+           report.search->expected_sigmas > search::SearchOptions{}.worth_a_climb + one_in_a_hundred;
 }
 
 /// What keeps a report whose verdict is not "present" from saying "absent".

@@ -56,9 +56,10 @@ std::string describe(const Filter& filter);
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.
-    std::vector<Filter> filters{Filter::of_hinges(2e-4, 5e-4), {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, 0, true},
-                                Filter::of_hinges(2e-3, 8e-3), {3e-4, 0.5, 1e-3, 3e-4, 3},
-                                Filter::of_hinges(1e-3, 6e-4), Filter::of_hinges(5e-3, 2e-3)};
+    std::vector<Filter> filters{Filter::of_hinges(2e-4, 5e-4),   {3e-5, 0.5, 1e-3, 3e-4, 0, 6, 0, 0, true},
+                                Filter::of_hinges(2e-3, 8e-3),   {3e-4, 0.5, 1e-3, 3e-4, 3},
+                                Filter::of_hinges(1e-3, 6e-4),   Filter::of_hinges(5e-3, 2e-3),
+                                Filter::of_hinges(2e-4, 0, true)};
     /// Added to the local variance, as part of its median: no place counts as perfectly smooth.
     double variance_floor = 0.05;
 };

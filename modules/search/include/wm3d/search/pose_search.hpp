@@ -15,12 +15,13 @@
 namespace wm3d::search {
 
 struct SearchOptions {
-    unsigned bandwidth = 64;   ///< of the harmonics: 128^3 rotations for each centre
-    std::size_t filter = 5;    ///< of the evidence, whose T is searched
-    double promising = 6.0;    ///< standard deviations from which a pose is refined at once
-    std::size_t finalists = 8; ///< less promising poses that are refined when all centres were tried
-    double convincing = 8.0;   ///< standard deviations from which a refined pose is offered
-    double hopeful = 6.5;      ///< ... from which deformations are tried, if they are to be tried
+    unsigned bandwidth = 64;    ///< of the harmonics: 128^3 rotations for each centre
+    std::size_t filter = 5;     ///< of the evidence, whose T is searched
+    double promising = 5.4;     ///< standard deviations from which closer centres are looked at, at once
+    double worth_a_climb = 6.0; ///< ... from which the best of them is refined
+    std::size_t finalists = 8;  ///< less promising poses that are refined when all centres were tried
+    double convincing = 8.0;    ///< standard deviations from which a refined pose is offered
+    double hopeful = 6.5;       ///< ... from which deformations are tried, if they are to be tried
     double clear = 25; ///< ... above which a climb has surely reached the peak; below, it is repeated around
     double around = 0.02;                        ///< from centres so far away along each axis
     Deformation deformation = Deformation::none; ///< the largest to try
