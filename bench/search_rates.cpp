@@ -3,7 +3,8 @@
 /// deformed, and shapes without clear axes, all turned, scaled and shifted at random too.
 /// Usage: search_rates FOLDER MINUTES [PREFIX]... makes the trials whose names begin so and that the folder
 /// lacks, for so long; search_rates FOLDER prints the tables of all that are there. Planes, models and keys
-/// take turns, so that whatever was made is a fair sample, until every plane has been tried with every key. Models are looked for in WM3D_MESHES.
+/// take turns, so that whatever was made is a fair sample, until every plane has been tried with every key.
+/// Models are looked for in WM3D_MESHES.
 
 #include <algorithm>
 #include <chrono>

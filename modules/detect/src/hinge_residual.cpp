@@ -19,11 +19,12 @@ constexpr int most_steps = 500;
 class Whitening {
 public:
     Whitening(const Hinges& hinges, std::vector<double> weights, double noise)
-        : hinges_(hinges), weights_(std::move(weights)), scale_(hinges.squares(weights_)) {
+        : hinges_(hinges), weights_(std::move(weights)) {
         for (double& g : weights_)
             g *= noise * noise;
+        scale_ = hinges.squares(weights_);
         for (double& s : scale_)
-            s = 1 / std::sqrt(1 + noise * noise * s);
+            s = 1 / std::sqrt(1 + s);
     }
 
     double diagonal(std::size_t) const { return 1; }

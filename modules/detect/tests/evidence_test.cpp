@@ -87,9 +87,11 @@ TEST_CASE("a mark raises the score of its own key by about what was predicted, a
         CAPTURE(f);
         const LinearStatistic before = clean.statistic(f, rows, rmax), after = found.statistic(f, rows, rmax);
         CHECK(std::abs(before.value(w)) < 5 * before.sigma());
-        CHECK(after.value(w) > 5 * after.sigma());
+        // What is whitened against the strongest noise gives up more of a mark without any.
+        const bool of_noise = found.filter(f).noise > 5e-3;
+        CHECK(after.value(w) > (of_noise ? 5 : 8) * after.sigma());
         CHECK(std::abs(after.value(other)) < 5 * after.sigma());
-        CHECK(exact_tail(after, after.value(w)).log10_p < -8);
+        CHECK(exact_tail(after, after.value(w)).log10_p < (of_noise ? -8 : -12));
         const double predicted = clean.expected_sigmas(f, rows, w, rmax, std::sqrt(squares / total));
         CHECK(predicted == doctest::Approx(after.value(w) / after.sigma()).epsilon(0.3));
     }
@@ -137,7 +139,8 @@ TEST_CASE(
         const LinearStatistic t = Evidence(suspect, options).statistic(0, rows, rmax);
         return t.value(w) / t.sigma();
     };
-    CHECK(sigmas(Filter::of_hinges(2e-4, 3e-4, true)) > 2 * std::max(3.0, sigmas({3e-5, 1.0, 3e-4})));
+    for (const Filter& hinges : {Filter::of_hinges(2e-4, 0, true), Filter::of_hinges(2e-4, 3e-4, true)})
+        CHECK(sigmas(hinges) > 2 * std::max(3.0, sigmas({3e-5, 1.0, 3e-4})));
 }
 
 TEST_CASE("folds that are whitened bear the noise of the vertices") {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -12,6 +10,7 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/weld.hpp>
 #include <wm3d/payload/recipients.hpp>
 #include <wm3d/watermark/receipt.hpp>
 
@@ -179,19 +178,15 @@ io::Format format_of(const std::filesystem::path& path, const std::optional<io::
                     path.string()));
 }
 
-/// One mark and its verdict. For a loss, the remedy is still to be found, but where no mark is little enough to be seen.
 /// The vertices that lie in one place with another.
 std::vector<Index> fallen_together(std::span<const Vec3> positions) {
-    std::vector<Index> order(positions.size());
-    std::iota(order.begin(), order.end(), Index{0});
-    const auto place = [&](Index v) {
-        return std::tuple(positions[v].x(), positions[v].y(), positions[v].z());
-    };
-    std::ranges::sort(order, {}, place);
-    std::vector<Index> together;
-    for (std::size_t k = 0; k + 1 < order.size(); ++k)
-        if (place(order[k]) == place(order[k + 1]))
-            together.insert(together.end(), {order[k], order[k + 1]});
+    const std::vector<Index> place = weld(positions, {}).vertex_of;
+    std::vector<Index> at_place(positions.size(), 0), together;
+    for (const Index p : place)
+        ++at_place[p];
+    for (Index v = 0; v < place.size(); ++v)
+        if (at_place[place[v]] > 1)
+            together.push_back(v);
     return together;
 }
 
@@ -218,6 +213,7 @@ bool is_same_surface(const TriangleMesh& written, const TriangleMesh& mesh) {
     return written.triangles == mesh.triangles && embed::turned_faces(mesh, written.positions).empty();
 }
 
+/// One mark and its verdict. For a loss, the remedy is still to be found, but where no mark is little enough to be seen.
 MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
                       const Progress& progress) {
     MarkedModel result;

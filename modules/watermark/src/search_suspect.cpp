@@ -210,21 +210,24 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
             result.push_back({levels[level], &key(levels[level]), mirrored,
                               std::span(centres).subspan(at(from), at(to) - at(from))});
     };
-    const auto wide = static_cast<double>(wide_.size()), fine = static_cast<double>(fine_.size());
+    const auto fine = static_cast<double>(fine_.size());
+    const auto wide = [&](double part) {
+        return (everywhere ? part : 1) * static_cast<double>(wide_.size());
+    };
     constexpr double soon = 128, likely = 600; // centres of the wide lattice, which has most after these
     look(0, wide_, 0, soon);
-    look(1, wide_, 0, everywhere ? std::min(soon, 0.35 * wide) : soon);
+    look(1, wide_, 0, std::min(soon, wide(0.35)));
     if (piece.extent == Extent::near)
         return result;
     look(0, close_, 0, static_cast<double>(close_.size()));
     look(0, wide_, soon, likely);
     look(0, fine_, 0, 0.4 * fine);
-    look(0, wide_, likely, wide);
+    look(0, wide_, likely, wide(1));
     look(0, fine_, 0.4 * fine, fine);
-    look(1, wide_, soon, everywhere ? 0.35 * wide : wide);
-    look(0, wide_, 0, everywhere ? 0.2 * wide : wide, true);
+    look(1, wide_, soon, wide(0.35));
+    look(0, wide_, 0, wide(0.2), true);
     for (std::size_t level = 2; level < levels.size(); ++level)
-        look(level, wide_, 0, everywhere ? 0.1 * wide : wide);
+        look(level, wide_, 0, wide(0.1));
     return result;
 }
 

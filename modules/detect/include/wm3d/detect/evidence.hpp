@@ -81,8 +81,8 @@ public:
     /// d_i . n_i: the part of a radial move that shows along the surface normal, #base vertices.
     std::span<const double> visibility() const { return visibility_.front(); }
 
-    /// q = diag(d.n) HP^T (a g e), or diag(d.n) S J^T (g r) for folds r = J x, #base vertices: T is the sum of q_i
-    /// times the bump in the direction of vertex i, wherever the sphere lies, unless the filter is evened.
+    /// q = diag(d.n) HP^T (a g e), or diag(d.n) S J^T (g r) for folds r = J x, #base vertices: T is the sum of
+    /// q_i times the bump in the direction of vertex i, wherever the sphere lies, unless the filter is evened.
     std::vector<double> weights_at(std::size_t f) const;
 
     /// What the mark of `w`, with an area-weighted root mean square normal move `move` (in units of mean
@@ -92,7 +92,8 @@ public:
 
     /// T = sum_j c_j w_j with c = B^T diag(d.n) LP^T HP^T (a g e): a the vertex areas, e the normal residual
     /// n . HP x, g its weights, HP = I - (M + tL)^-1 M, LP the low pass of the template, if it has one. For
-    /// hinges c = B^T diag(d.n) S J^T (g r), S = (I + noise^2 J^T g J)^-1. Evened: the roots of these, with their signs.
+    /// hinges c = B^T diag(d.n) S J^T (g r), S = (I + noise^2 J^T g J)^-1. Evened: the roots of these, with
+    /// their signs.
     LinearStatistic statistic(std::size_t f, const sphere::SparseRows& rows, double rmax) const;
 
     /// The same with what is read at a vertex spread over the points around it; `rows` are B for the samples.
