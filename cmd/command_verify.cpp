@@ -66,6 +66,15 @@ std::string search_limits(const watermark::VerifyReport& report) {
     return ", and the search would miss a mark of the usual strength on so little or so rough a surface";
 }
 
+std::string too_few_vertices(const watermark::TooFewVertices& few) {
+    return fmt::format(
+        "{} vertices are too few to find a mark whose pose isn't known: of 100 keys 99 would score below "
+        "{:.1f} standard "
+        "deviations there, however strong their marks, and {:.1f} are needed, so nothing was searched; give "
+        "--receipt or --reference, which tell where the mark would lie.",
+        few.vertices, few.most_sigmas, few.needed_sigmas);
+}
+
 /// Why a verdict is inconclusive, and what would help.
 std::string reason(const watermark::VerifyReport& report) {
     switch (report.doubt) {
@@ -80,6 +89,8 @@ std::string reason(const watermark::VerifyReport& report) {
                            "cut off there{}; give "
                            "--receipt or --reference, which tell where the mark would lie.",
                            100 * report.largest_opening, search_limits(report));
+    case watermark::Doubt::vertices:
+        return too_few_vertices(*report.search->too_few);
     case watermark::Doubt::axes:
         return "its shape has no clear axes, and the search of all poses was too short or would miss a mark "
                "of the "
@@ -99,6 +110,8 @@ std::string_view name(watermark::Doubt doubt) {
     switch (doubt) {
     case watermark::Doubt::opening:
         return "opening";
+    case watermark::Doubt::vertices:
+        return "vertices";
     case watermark::Doubt::axes:
         return "axes";
     case watermark::Doubt::alignment:
@@ -226,6 +239,10 @@ ordered_json search_json(const watermark::SearchReport& search) {
     ordered_json json{{"pieces", search.pieces},       {"centres", search.centres},
                       {"rotations", search.rotations}, {"seconds", search.seconds},
                       {"complete", search.complete},   {"expected_sigmas", search.expected_sigmas}};
+    if (search.too_few)
+        json["too_few"] = {{"vertices", search.too_few->vertices},
+                           {"most_sigmas", search.too_few->most_sigmas},
+                           {"needed_sigmas", search.too_few->needed_sigmas}};
     if (search.pose) {
         json["log10_hypotheses"] = search.log10_hypotheses;
         json["pose"] = pose_json(*search.pose);

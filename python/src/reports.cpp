@@ -13,6 +13,8 @@ std::string_view name_of(watermark::Doubt doubt) {
         return "alignment";
     case watermark::Doubt::opening:
         return "opening";
+    case watermark::Doubt::vertices:
+        return "vertices";
     case watermark::Doubt::axes:
         return "axes";
     case watermark::Doubt::none:

@@ -66,7 +66,7 @@ class Report:
     hypotheses: int  # that were tried, each of them paid for in log10_p
     bound: bool  # log10_p is a guaranteed bound, not an estimate
     sigmas: float  # score of the best hypothesis, in standard deviations under random keys
-    doubt: Literal["none", "power", "alignment", "opening", "axes"]  # why the verdict is inconclusive
+    doubt: Literal["none", "power", "alignment", "opening", "vertices", "axes"]  # why the verdict is inconclusive
     level: int
     pose: str
     base_vertices: int

@@ -27,6 +27,33 @@ VerifyOptions self_check_options(const MarkOptions& mark, resync::Ambiguity ambi
     return options;
 }
 
+/// Whether the mark, in the pose in which it was laid down, shows so little that no search that ends there could pay for
+/// itself.
+bool no_search_would_do(const Suspect& suspect, const Marked& marked, const key::Key& key,
+                        const VerifyOptions& check) {
+    constexpr double better_nearby = 3; // decades that a search may gain beside that pose
+    ExaminationOptions options = examination_options(key.parameters(), check.vertices);
+    options.resync = Resync::icp; // no pose but this
+    options.poses = {{marked.frame, "as marked"}};
+    const Examination there(suspect, std::move(options));
+    Sequences sequences(key.secret(), key.parameters().rmax);
+    const double log10_p = detect::score_family(there.family(), sequences.function()).log10_p;
+    return log10_p + log10_search_price(search::Deformation::none) - better_nearby > std::log10(check.pf);
+}
+
+/// What verify says of a marked mesh. The search that may be part of it is made where a quick look finds nothing, and a
+/// look at the right place doesn't say that the search would be in vain.
+VerifyReport self_check(const Suspect& suspect, const Marked& marked, const key::Key& key,
+                        const VerifyOptions& check, const Progress& progress) {
+    VerifyOptions quick = check;
+    quick.effort = 0;
+    VerifyReport report = verify(suspect, key, quick, progress);
+    if (check.effort == 0 || report.verdict == detect::Verdict::present ||
+        no_search_would_do(suspect, marked, key, check))
+        return report;
+    return verify(suspect, key, check, progress);
+}
+
 /// Whether the copy would be told from a million others.
 bool tells_copy(const VerifyReport& check, const key::Key& key, const payload::CopyLabel& copy, double pf) {
     constexpr std::size_t crowd = 1'000'000;
@@ -46,22 +73,25 @@ bool is_readable(const VerifyReport& check, const key::Key& key, const MarkOptio
 /// Whether the mark would be found on the mesh as it is in memory, before a file rounds it. Not asked where the
 /// file's steps are nothing beside the moves.
 bool lost_in_storage(const MarkedModel& result, const TriangleMesh& mesh, const key::Key& key,
-                     const VerifyOptions& check) {
+                     const VerifyOptions& check, const Progress& progress) {
     constexpr double nothing = 0.01;
     if (result.coordinate_step < nothing * result.marked.distortion.normal_rms)
         return false;
-    return verify(TriangleMesh{result.marked.positions, mesh.triangles}, key, check).verdict ==
-           detect::Verdict::present;
+    const TriangleMesh in_memory{result.marked.positions, mesh.triangles};
+    return self_check(simplify_suspect(in_memory, check.vertices), result.marked, key, check, progress)
+               .verdict == detect::Verdict::present;
 }
 
 /// Whether verify would find the mark, and read what it says, in the file as it would be written.
 bool would_do(const io::Model& model, const Marker& marker, const key::Key& key,
-              const MarkModelOptions& options, const VerifyOptions& check) {
+              const MarkModelOptions& options, const VerifyOptions& check, const Progress& progress) {
     try {
         const Marked marked = marker.mark(key.secret(), mark_setting(model.mesh(), key, options.mark));
         const io::PatchedFiles files =
             model.patched_files(marked.positions, options.output_name, options.normals);
-        const VerifyReport report = verify(model.read_back(files).mesh(), key, check);
+        const io::Model written = model.read_back(files);
+        const VerifyReport report =
+            self_check(simplify_suspect(written.mesh(), check.vertices), marked, key, check, progress);
         return report.verdict == detect::Verdict::present && is_readable(report, key, options.mark);
     } catch (const TooVisible&) {
         return false;
@@ -91,38 +121,40 @@ double in_two_digits(double size) {
 /// A larger size that was tried and does, if there is one: doubled until it does, then a little less. Where the largest
 /// budget doesn't do, none does.
 std::optional<MarkOptions> size_that_would_do(const io::Model& model, const key::Key& key,
-                                              MarkModelOptions options, const VerifyOptions& check) {
+                                              MarkModelOptions options, const VerifyOptions& check,
+                                              const Progress& progress) {
     constexpr int most_doublings = 5;
     constexpr double most_seen = 0.5; // nobody would want to see more, and each try is a mark
     MarkOptions& mark = options.mark;
     const double most = mark.strength || mark.gamma ? HUGE_VAL : most_seen;
     const Marker marker(model.mesh(), mark.vertices);
+    const auto does = [&] { return would_do(model, marker, key, options, check, progress); };
     double too_small = size_of(mark);
     if (most == most_seen) {
         size_of(mark) = most;
-        if (too_small >= most || !would_do(model, marker, key, options, check))
+        if (too_small >= most || !does())
             return std::nullopt;
     }
     for (int k = 0; k < most_doublings && too_small < most; ++k) {
         size_of(mark) = in_two_digits(std::min(2 * too_small, most));
-        if (!would_do(model, marker, key, options, check)) {
+        if (!does()) {
             too_small = size_of(mark);
             continue;
         }
         const MarkOptions enough = mark;
         size_of(mark) = in_two_digits(std::sqrt(too_small * size_of(mark)));
-        return size_of(mark) > too_small && would_do(model, marker, key, options, check) ? mark : enough;
+        return size_of(mark) > too_small && does() ? mark : enough;
     }
     return std::nullopt;
 }
 
 /// What would mend a loss: tried, and not only supposed.
 std::string remedy(const io::Model& model, const key::Key& key, const MarkModelOptions& options,
-                   const MarkedModel& result) {
+                   const MarkedModel& result, const Progress& progress) {
     constexpr double hopeful = -2; // a P_f above 1 % is no verdict
     std::vector<std::string> would_do;
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
-    if (const auto larger = size_that_would_do(model, key, options, check))
+    if (const auto larger = size_that_would_do(model, key, options, check, progress))
         would_do.push_back(size_option(*larger));
     const double log10_p = result.check.score.log10_p;
     const bool lost = result.loss == Loss::power || result.loss == Loss::storage;
@@ -224,7 +256,8 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     } catch (const TooVisible& reason) {
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
-            result.remedy = fmt::format("{}; {}", reason.what(), remedy(model, key, options, result));
+            result.remedy =
+                fmt::format("{}; {}", reason.what(), remedy(model, key, options, result, progress));
         return result;
     }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
@@ -236,7 +269,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     }
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
-    result.check = verify(suspect, key, check, progress);
+    result.check = self_check(suspect, result.marked, key, check, progress);
     const Marked& marked = result.marked;
     if (result.check.verdict == detect::Verdict::present) {
         Sequences sequences(key.secret(), marked.rmax);
@@ -245,7 +278,8 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax,
                                     result.check.score.hypotheses);
     } else {
-        result.loss = lost_in_storage(result, model.mesh(), key, check) ? Loss::storage : Loss::power;
+        result.loss =
+            lost_in_storage(result, model.mesh(), key, check, progress) ? Loss::storage : Loss::power;
     }
     return result;
 }
@@ -264,7 +298,7 @@ MarkedModel mark_model(const io::Model& model, const key::Key& key, const MarkMo
     if (result.loss == Loss::power)
         lies_too_far(model, result);
     if (result.loss != Loss::none && result.remedy.empty())
-        result.remedy = remedy(model, key, options, result);
+        result.remedy = remedy(model, key, options, result, progress);
     return result;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/detect/verdict.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/search/centres.hpp>
 #include <wm3d/search/pose_search.hpp>
@@ -78,6 +79,8 @@ public:
 
 private:
     Extent extent(const search::Outline& outline, const Examination& seen) const;
+    std::optional<TooFewVertices> too_few(const Piece& piece) const;
+    void leave_out_small(std::vector<Piece>& order);
     double pairs_for(const Piece& piece, double wide) const;
     bool look_at_mirror_image();
     bool look_at_piece(Piece& piece);
@@ -97,7 +100,6 @@ private:
     const SearchEffort& effort_;
     double reference_strength_, log10_pf_;
     const Progress& progress_;
-    search::PoseLattice lattice_;
     std::map<unsigned, sphere::Icosphere> spheres_;
     std::map<unsigned, search::KeyFunction> keys_;
     std::vector<Vec3> wide_, fine_, close_; ///< lattices of centres about the piece that is searched
@@ -242,7 +244,7 @@ double SuspectSearch::expected(const Units& units, const detect::Evidence& evide
 
 /// The exact statistic at the nearest pose of the lattice.
 bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search::Candidate& candidate) {
-    const search::Pose pose = lattice_.nearest(candidate.pose);
+    const search::Pose pose = search::PoseLattice{}.nearest(candidate.pose);
     FoundPose found{{units.in_file(pose.centre), pose.turn, 1},
                     pose.deformation,
                     pose.stretch,
@@ -266,9 +268,8 @@ bool SuspectSearch::confirm(const Piece& piece, const Units& units, const search
     options.resync = Resync::icp;
     options.poses = {{frame, "search"}};
     const Suspect undeformed{mesh, std::move(base), piece.suspect->stop, piece.suspect->telling};
-    const double log10_price = lattice_.log10_size(pose.deformation) + std::log10(3) +
-                               std::log10(static_cast<double>(piece_count_)) - log10_half_share;
-    return take(std::make_unique<Examination>(undeformed, options), log10_price, std::move(found));
+    return take(std::make_unique<Examination>(undeformed, options),
+                log10_search_price(pose.deformation, piece_count_), std::move(found));
 }
 
 bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
@@ -323,6 +324,29 @@ void SuspectSearch::leave_to_whole(std::vector<Piece>& order) const {
     std::rotate(order.begin(), order.end() - 1, order.end());
 }
 
+std::optional<TooFewVertices> SuspectSearch::too_few(const Piece& piece) const {
+    const std::size_t vertices = piece.suspect->base.positions.size();
+    const double needed =
+        detect::normal_sigmas(log10_pf_ - log10_search_price(search::Deformation::none, piece_count_));
+    const double most = detect::most_sigmas(vertices);
+    return most < needed ? std::optional(TooFewVertices{vertices, most, needed}) : std::nullopt;
+}
+
+/// Pieces that can show no mark by a search are not searched.
+void SuspectSearch::leave_out_small(std::vector<Piece>& order) {
+    std::optional<TooFewVertices>& left_out = result_.report.too_few;
+    for (Piece& piece : order) {
+        const std::optional<TooFewVertices> small = too_few(piece);
+        if (piece.extent == Extent::none || !small)
+            continue;
+        piece.extent = Extent::none;
+        if (!left_out || left_out->vertices < small->vertices)
+            left_out = small;
+    }
+    if (std::ranges::any_of(order, [](const Piece& piece) { return piece.extent != Extent::none; }))
+        left_out.reset();
+}
+
 SearchResult SuspectSearch::run() {
     const auto begin = std::chrono::steady_clock::now();
     const std::vector<TriangleMesh> parts = pieces(suspect_.mesh);
@@ -341,6 +365,7 @@ SearchResult SuspectSearch::run() {
     for (std::size_t k = 0; k + 1 < order.size() && !found; ++k)
         found = look_at_piece(order[k]);
     leave_to_whole(order);
+    leave_out_small(order);
     const auto wide = std::ranges::count(order, Extent::all, &Piece::extent);
     const bool open = std::ranges::any_of(
         order, [](const Piece& piece) { return piece.extent == Extent::all && may_be_part(piece.outline); });
@@ -359,6 +384,12 @@ bool may_be_part(const search::Outline& outline) {
     constexpr double tolerated_opening = 0.006;
     return outline.opening > tolerated_opening || outline.stump > search::CentreOptions{}.least_stump ||
            outline.closed > 0;
+}
+
+double log10_search_price(search::Deformation deformation, std::size_t pieces) {
+    constexpr double deformations = 3; // none, affine, bent
+    return search::PoseLattice{}.log10_size(deformation) + std::log10(deformations) +
+           std::log10(static_cast<double>(pieces)) - log10_half_share;
 }
 
 double beside_search(double log10_p) {

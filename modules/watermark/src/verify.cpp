@@ -145,6 +145,9 @@ Doubt doubt(const VerifyReport& report, resync::Ambiguity ambiguity) {
         return Doubt::none;
     if (report.registration && !report.registration->aligned)
         return Doubt::alignment;
+    const bool unclear = report.may_be_part || ambiguity != resync::Ambiguity::none;
+    if (unclear && report.search && report.search->too_few)
+        return Doubt::vertices;
     if (report.verdict == detect::Verdict::inconclusive)
         return Doubt::power;
     if (report.registration || searched_in_earnest(report))

@@ -159,3 +159,18 @@ TEST_CASE("a file in the way is found out before any work, and left alone") {
                          doctest::Contains("names no known format"), ParameterError);
     CHECK(shop.files() == 2);
 }
+
+TEST_CASE("a refusal doesn't search for the marks of all sizes that it tries") {
+    // The cube's axes are unclear, so that a check may be a search; 98 vertices hold no mark that would pay for one.
+    const Workshop shop(shapes::box({1, 1, 1}, 4));
+    int looks = 0, searches = 0;
+    const auto count = [&](std::string_view stage, double done) {
+        looks += stage == "examining the surface" && done == 0 ? 1 : 0;
+        searches += stage == "searching all poses" ? 1 : 0;
+    };
+    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, {}, count);
+    CHECK_FALSE(report.written);
+    CHECK(report.reason.find("no larger mark that was tried would do") != std::string::npos);
+    CHECK(looks > 1);
+    CHECK(searches == 0);
+}

@@ -198,6 +198,32 @@ TEST_CASE("of a model in loose triangles nothing is called absent, however many 
     CHECK(report.search->centres == 0); // loose triangles have no residual to search
 }
 
+TEST_CASE("vertices that are too few to show a mark are not searched, and said to be too few") {
+    // Without the sides at z = 0, so that something may have been cut off.
+    const auto open_box = [](std::size_t n) {
+        TriangleMesh box = shapes::box({1, 2, 3}, n);
+        std::erase_if(box.triangles, [&](const Triangle& t) {
+            return std::ranges::all_of(t, [&](Index v) { return box.positions[v].z() == 0; });
+        });
+        return box;
+    };
+    const VerifyReport report = look(open_box(2), 1);
+    CHECK(report.may_be_part);
+    CHECK(report.verdict == detect::Verdict::inconclusive);
+    CHECK(report.doubt == Doubt::vertices);
+    REQUIRE(report.search);
+    CHECK(report.search->centres == 0);
+    REQUIRE(report.search->too_few);
+    CHECK(report.search->too_few->vertices == 25);
+    CHECK(report.search->too_few->most_sigmas < report.search->too_few->needed_sigmas);
+
+    const VerifyReport enough = look(open_box(4), 0.005);
+    CHECK(enough.doubt != Doubt::vertices);
+    REQUIRE(enough.search);
+    CHECK(enough.search->centres > 0);
+    CHECK_FALSE(enough.search->too_few);
+}
+
 TEST_CASE("suspects with nothing to search end in an honest verdict") {
     const TriangleMesh triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
     const TriangleMesh needle{{{0, 0, 0}, {1, 0, 0}, {1, 1e-6, 0}, {0, 0, 1e-6}},

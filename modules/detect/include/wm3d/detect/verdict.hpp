@@ -11,6 +11,16 @@ enum class Verdict { present, absent, inconclusive };
 
 std::string_view name(Verdict verdict);
 
+/// Standard deviations at which a normal score has this tail probability.
+/// \pre  log10_p < 0
+double normal_sigmas(double log10_p);
+
+/// Standard deviations that a mark's score stays below in its own pose, but for `chance` of all keys, however strong the
+/// mark is and whatever else the surface says: sqrt(n) + sqrt(2 log(1 / chance)) for a mesh of n vertices, as T is a sum
+/// of n numbers of the key's, each times a number of the mesh's (docs/algorithm.md, section 10). Holds for statistics
+/// that are not evened.
+double most_sigmas(std::size_t vertices, double chance = 0.01);
+
 /// Predicted probability, by a normal approximation, that a mark with this expected score is missed.
 /// \param sigmas      expected score of the best hypothesis, in standard deviations of its null distribution
 /// \param log10_pf    log10 of the false-positive probability of the verdict

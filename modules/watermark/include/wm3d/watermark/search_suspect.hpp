@@ -47,6 +47,13 @@ struct FoundPose {
     std::optional<std::size_t> piece; ///< of a scene, the largest first
 };
 
+/// Why nothing was searched that would have been worth it: so few vertices show no mark that pays for a search.
+struct TooFewVertices {
+    std::size_t vertices = 0; ///< of the largest piece, once simplified
+    double most_sigmas = 0; ///< which marks on them stay below, however strong, but for one key of a hundred
+    double needed_sigmas = 0; ///< at the pose that a search ends at
+};
+
 struct SearchReport {
     std::size_t pieces = 0;  ///< of the suspect that were looked at, itself included
     std::size_t centres = 0; ///< pairs of a centre and a sequence
@@ -56,8 +63,13 @@ struct SearchReport {
     double expected_sigmas = 0;  ///< of a mark of the usual strength in the coarsest step of the search
     double enough = 1;     ///< effort for any cut: 4 for each piece with an opening, or 1 where there is none
     bool complete = false; ///< that was spent
+    std::optional<TooFewVertices> too_few; ///< in which case no centre was tried
     std::optional<FoundPose> pose;
 };
+
+/// log10 of what a pose pays for that a search of a suspect with so many pieces ended at: everywhere that it could have
+/// ended, and the search's share of the false-positive probability.
+double log10_search_price(search::Deformation deformation, std::size_t pieces = 1);
 
 /// A pose that the exact statistic confirmed.
 struct SearchHit {

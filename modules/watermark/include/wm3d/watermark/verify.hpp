@@ -61,6 +61,7 @@ enum class Doubt {
     power,     ///< a mark of the usual strength would likely be missed here
     alignment, ///< a registration that was asked for failed: it was not looked at where the mark would lie
     opening,   ///< a part may have been cut off, and neither a search nor anything given told the pose
+    vertices,  ///< the pose isn't known, and these are too few to search for it: TooFewVertices
     axes,      ///< the shape has no clear axes, and neither a search nor anything given told the pose
 };
 
