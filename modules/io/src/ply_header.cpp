@@ -126,8 +126,11 @@ PlyHeader read_ply_header(const Source& source) {
         } else if (keyword == "property") {
             read_property(scan, line, header);
         } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-            source.fail_in_line(line,
-                                fmt::format("\"{}\" is no header keyword of PLY", keyword.substr(0, 30)));
+            source.fail_in_line(
+                line, fmt::format("\"{}\" begins no line of a PLY header, where format, element, property, "
+                                  "comment and end_header do; correct the line, or put \"comment\" "
+                                  "before a remark",
+                                  keyword.substr(0, 30)));
         }
     }
     if (!has_format)

@@ -120,6 +120,9 @@ TEST_CASE("PLY: errors say where") {
     };
     CHECK(text(v + "3 0 1 2\n").empty());
     CHECK(mentions(text(v + "3 0 1 3\n"), "line 13"));
+    const std::string remark = input_error(Format::ply, header("ascii", "# by hand\n" + xyz + face) + v);
+    CHECK(mentions(remark, "line 3"));
+    CHECK(mentions(remark, "put \"comment\" before a remark"));
     CHECK(mentions(text(v + "-3 0 1 2\n"), "below 0"));
     CHECK(mentions(text(v + "3 0 1 -1\n"), "below 0"));
     CHECK(mentions(text(v + "3 0 1"), "cut short"));
