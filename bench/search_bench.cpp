@@ -218,6 +218,17 @@ void openings(std::size_t trials) {
     }
 }
 
+/// T of the best of all rotations of some functions.
+float highest(const search::RotationCorrelation<float>& correlation, std::span<const search::Harmonics> f,
+              const search::Harmonics& w) {
+    float best = 0;
+    correlation(f, w, [&](std::size_t, std::size_t, std::span<const std::complex<float>> t) {
+        for (const std::complex<float>& both : t)
+            best = std::max({best, both.real(), both.imag()});
+    });
+    return best;
+}
+
 /// The same search of one centre by trying one rotation after the other, of which `trials` are timed.
 void peer(std::size_t trials) {
     const TriangleMesh mesh = load(scans.front());
@@ -238,16 +249,16 @@ void peer(std::size_t trials) {
         work();
         return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
     };
-    constexpr int centres = 20;
+    constexpr int rounds = 5, together = 4; // as the search does it
     float best = 0;
-    const double by_transform = seconds([&] {
-                                    for (int k = 0; k < centres; ++k)
-                                        correlation(transform.of_points(base.positions, q), w,
-                                                    [&](std::size_t, std::span<const float> t) {
-                                                        best = std::max(best, std::ranges::max(t));
-                                                    });
-                                }) /
-                                centres;
+    const double by_transform =
+        seconds([&] {
+            for (int k = 0; k < rounds; ++k) {
+                const std::vector<search::Harmonics> f(together, transform.of_points(base.positions, q));
+                best = std::max(best, highest(correlation, f, w));
+            }
+        }) /
+        (rounds * together);
     const double one =
         seconds([&] {
             for (std::size_t k = 0; k < trials; ++k) {
@@ -273,10 +284,8 @@ float highest(const TriangleMesh& base, const detect::Evidence& evidence, const 
     const search::Harmonics f =
         search::HarmonicTransform(w.bandwidth)
             .of_points(directions, evidence.seen_from(centre).weights_at(search::SearchOptions{}.filter));
-    float best = 0;
-    search::RotationCorrelation<float>(w.bandwidth, 2 * w.bandwidth)(
-        f, w, [&](std::size_t, std::span<const float> t) { best = std::max(best, std::ranges::max(t)); });
-    return best / static_cast<float>(search::spread(f, w));
+    const search::RotationCorrelation<float> correlation(w.bandwidth, 2 * w.bandwidth);
+    return highest(correlation, {&f, 1}, w) / static_cast<float>(search::spread(f, w));
 }
 
 /// What the default budget gives on a coarser level of the sphere: how sure the mark is, and how far off a
@@ -348,11 +357,8 @@ void picture(std::size_t trials) {
                 d -= centre;
             const search::Harmonics f = transform.of_points(
                 directions, evidence.seen_from(centre).weights_at(search::SearchOptions{}.filter));
-            float best = 0;
-            correlation(f, w, [&](std::size_t, std::span<const float> t) {
-                best = std::max(best, std::ranges::max(t));
-            });
-            fmt::print("{:.4f},{:.4f},{:.3f}\n", u, v, best / search::spread(f, w));
+            fmt::print("{:.4f},{:.4f},{:.3f}\n", u, v,
+                       highest(correlation, {&f, 1}, w) / search::spread(f, w));
         }
 }
 

@@ -29,11 +29,11 @@ struct Fftw<double> {
     static Plan real_to_complex(int n, double* in, Complex* out) {
         return fftw_plan_dft_r2c_1d(n, in, out, FFTW_ESTIMATE);
     }
-    static Plan complex_to_real(int rows, int columns, Complex* in, double* out) {
-        return fftw_plan_dft_c2r_2d(rows, columns, in, out, FFTW_ESTIMATE);
+    static Plan complex_to_complex(int rows, int columns, Complex* in, Complex* out) {
+        return fftw_plan_dft_2d(rows, columns, in, out, FFTW_BACKWARD, FFTW_ESTIMATE);
     }
     static void run(Plan plan, double* in, Complex* out) { fftw_execute_dft_r2c(plan, in, out); }
-    static void run(Plan plan, Complex* in, double* out) { fftw_execute_dft_c2r(plan, in, out); }
+    static void run(Plan plan, Complex* in, Complex* out) { fftw_execute_dft(plan, in, out); }
     static void destroy(Plan plan) { fftw_destroy_plan(plan); }
 };
 
@@ -41,10 +41,10 @@ template<>
 struct Fftw<float> {
     using Plan = fftwf_plan;
     using Complex = fftwf_complex;
-    static Plan complex_to_real(int rows, int columns, Complex* in, float* out) {
-        return fftwf_plan_dft_c2r_2d(rows, columns, in, out, FFTW_ESTIMATE);
+    static Plan complex_to_complex(int rows, int columns, Complex* in, Complex* out) {
+        return fftwf_plan_dft_2d(rows, columns, in, out, FFTW_BACKWARD, FFTW_ESTIMATE);
     }
-    static void run(Plan plan, Complex* in, float* out) { fftwf_execute_dft_c2r(plan, in, out); }
+    static void run(Plan plan, Complex* in, Complex* out) { fftwf_execute_dft(plan, in, out); }
     static void destroy(Plan plan) { fftwf_destroy_plan(plan); }
 };
 

@@ -94,7 +94,7 @@ Harmonics HarmonicTransform::Tables::transform(const FftwArray<double>& grid) co
 }
 
 void HarmonicTransform::Tables::spread(const Vec3& direction, double q, double* grid) const {
-    const double horizontal = std::hypot(direction.x(), direction.y());
+    const double horizontal = direction.head<2>().norm(); // no need of hypot's care for huge numbers
     if (!(horizontal + std::abs(direction.z()) > 0))
         return;
     const double ring = std::atan2(horizontal, direction.z()) / pi * rings - 0.5;

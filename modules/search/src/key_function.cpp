@@ -10,7 +10,13 @@ KeyFunction::KeyFunction(const sphere::Icosphere& sphere, std::vector<double> w,
     : sphere_(&sphere), w_(std::move(w)), limit_(limit) {}
 
 KeyFunction::Value KeyFunction::operator()(const Vec3& direction) const {
-    const sphere::SphereLocation at = sphere_->locate(direction);
+    Index face = no_index;
+    return (*this)(direction, face);
+}
+
+KeyFunction::Value KeyFunction::operator()(const Vec3& direction, Index& face) const {
+    const sphere::SphereLocation at = sphere_->locate(direction, face);
+    face = at.face;
     const std::vector<Vec3>& u = sphere_->vertices();
     const auto& [i, j, k] = at.vertices;
     const Vec3 w(w_[i], w_[j], w_[k]);

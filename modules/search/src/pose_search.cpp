@@ -16,7 +16,8 @@ namespace wm3d::search {
 
 namespace {
 
-constexpr std::size_t chunk = 32; // centres between two looks at what they found
+constexpr std::size_t chunk = 32;   // centres between two looks at what they found
+constexpr std::size_t together = 4; // centres that share a pass of the correlation
 
 /// A target with what the search computes of its key.
 struct Prepared {
@@ -60,7 +61,9 @@ private:
         const Prepared* prepared = nullptr;
     };
 
-    Found best_rotation(const Prepared& prepared, const Vec3& centre) const;
+    Harmonics seen_from(const Vec3& centre, bool mirrored) const;
+    std::vector<Found> best_rotations(const Prepared& prepared, std::span<const Vec3> centres) const;
+    std::vector<Found> searched(const Prepared& prepared, std::span<const Vec3> centres) const;
     Candidate climbed(const Found& found, Deformation deformation) const;
     Found closer(Found found) const;
     Candidate climbed_around(const Found& found) const;
@@ -88,34 +91,64 @@ void Searcher::remember(std::vector<Found>& list, const Found& found, std::size_
         list.resize(most);
 }
 
-Searcher::Found Searcher::best_rotation(const Prepared& prepared, const Vec3& centre) const {
+/// The evidence as a function of the direction from a centre.
+Harmonics Searcher::seen_from(const Vec3& centre, bool mirrored) const {
     std::vector<Vec3> directions(x_.begin(), x_.end());
     for (Vec3& d : directions)
         d -= centre;
-    const std::vector<double> q = evidence_.seen_from(centre).weights_at(options_.filter);
-    Harmonics f = transform_.of_points(directions, q);
-    if (prepared.target.mirrored)
-        f = f.inverted();
-    Found found{{Pose{}, prepared.target.level, 0}, &prepared};
-    found.candidate.pose.centre = centre;
-    const double sigma = spread(f, prepared.harmonics);
-    if (!(sigma > 0))
-        return found;
-    float best = 0;
-    std::array<std::size_t, 3> at{};
+    const Harmonics f =
+        transform_.of_points(directions, evidence_.seen_from(centre).weights_at(options_.filter));
+    return mirrored ? f.inverted() : f;
+}
+
+/// For each centre the best of all rotations about it.
+std::vector<Searcher::Found> Searcher::best_rotations(const Prepared& prepared,
+                                                      std::span<const Vec3> centres) const {
+    struct Peak {
+        float height = 0;
+        std::array<std::size_t, 3> at{};
+    };
+    std::vector<Harmonics> f;
+    for (const Vec3& centre : centres)
+        f.push_back(seen_from(centre, prepared.target.mirrored));
+    std::vector<Peak> peaks(centres.size());
     const std::size_t n = correlation_.samples();
-    correlation_(f, prepared.harmonics, [&](std::size_t b, std::span<const float> values) {
-        if (const float highest = largest_of(values); highest > best) {
-            best = highest;
-            const auto largest = std::ranges::find(values, highest);
-            const auto place = static_cast<std::size_t>(largest - values.begin());
-            at = {place / n, b, place % n};
-        }
+    correlation_(f, prepared.harmonics,
+                 [&](std::size_t k, std::size_t b, std::span<const std::complex<float>> values) {
+                     // A complex number is laid out as its two parts.
+                     const std::span<const float> parts(reinterpret_cast<const float*>(values.data()),
+                                                        2 * values.size());
+                     const float highest = largest_of(parts);
+                     if (highest <= peaks[k].height)
+                         return;
+                     const auto place =
+                         static_cast<std::size_t>(std::ranges::find(parts, highest) - parts.begin());
+                     peaks[k] = {highest, {place / 2 / n, place % 2 == 0 ? b : n - 1 - b, place / 2 % n}};
+                 });
+    std::vector<Found> result;
+    for (std::size_t k = 0; k < centres.size(); ++k) {
+        Found& found = result.emplace_back(Candidate{Pose{}, prepared.target.level, 0}, &prepared);
+        found.candidate.pose.centre = centres[k];
+        const double sigma = spread(f[k], prepared.harmonics);
+        if (!(sigma > 0) || peaks[k].height == 0)
+            continue;
+        const auto [alpha, beta, gamma] = peaks[k].at;
+        found.candidate.sigmas = peaks[k].height / sigma;
+        found.candidate.pose.turn =
+            (prepared.target.mirrored ? -1.0 : 1.0) * correlation_.rotation(alpha, beta, gamma);
+    }
+    return result;
+}
+
+/// The same on all threads.
+std::vector<Searcher::Found> Searcher::searched(const Prepared& prepared,
+                                                std::span<const Vec3> centres) const {
+    std::vector<Found> result(centres.size());
+    parallel_blocks(centres.size(), together, [&](std::size_t begin, std::size_t end) {
+        std::ranges::copy(best_rotations(prepared, centres.subspan(begin, end - begin)),
+                          result.begin() + static_cast<std::ptrdiff_t>(begin));
     });
-    found.candidate.sigmas = best / sigma;
-    found.candidate.pose.turn =
-        (prepared.target.mirrored ? -1.0 : 1.0) * correlation_.rotation(at[0], at[1], at[2]);
-    return found;
+    return result;
 }
 
 /// T of the pose over its standard deviation under random keys.
@@ -161,13 +194,13 @@ void Searcher::offer(const Candidate& candidate) {
 Searcher::Found Searcher::closer(Found found) const {
     for (const double step : {0.024, 0.012}) {
         const Vec3 middle = found.candidate.pose.centre;
-        std::array<Found, 8> around;
-        parallel_blocks(around.size(), 1, [&](std::size_t k, std::size_t) {
+        std::array<Vec3, 8> around;
+        for (std::size_t k = 0; k < around.size(); ++k) {
             const Vec3 corner((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1);
-            around[k] = best_rotation(*found.prepared, middle + step / std::sqrt(3.0) * corner);
-        });
+            around[k] = middle + step / std::sqrt(3.0) * corner;
+        }
         const double before = found.candidate.sigmas;
-        for (const Found& other : around)
+        for (const Found& other : searched(*found.prepared, around))
             if (other.candidate.sigmas > found.candidate.sigmas)
                 found = other;
         if (found.candidate.sigmas == before && before < options_.worth_a_climb)
@@ -209,10 +242,7 @@ void Searcher::run(const Target& target, const Progress& progress, double done_b
         notify(progress, "searching all poses",
                done_before + part * static_cast<double>(begin) / static_cast<double>(target.centres.size()));
         const std::size_t count = std::min(chunk, target.centres.size() - begin);
-        std::vector<Found> found(count);
-        parallel_blocks(count, 1, [&](std::size_t k, std::size_t) {
-            found[k] = best_rotation(prepared, target.centres[begin + k]);
-        });
+        std::vector<Found> found = searched(prepared, target.centres.subspan(begin, count));
         outcome_.centres += count;
         outcome_.rotations += static_cast<double>(count) * std::pow(correlation_.samples(), 3);
         std::ranges::stable_sort(found, std::greater{}, [](const Found& f) { return f.candidate.sigmas; });

@@ -2,6 +2,7 @@
 #include <wm3d/search/refine.hpp>
 
 #include <cmath>
+#include <vector>
 
 #include <Eigen/Dense>
 
@@ -72,13 +73,16 @@ void add_gradient(Parameters& sum, const Pose& pose, const Vec3& x, const Vec3& 
             sum.segment<3>(11 + 3 * k) += squares[k] * before;
 }
 
-Climb climb(std::span<const Vec3> x, std::span<const double> q, const KeyFunction& key, const Pose& pose) {
+/// Value and gradient at a pose. `faces` of the sphere, #points, are where the points were seen last: a step moves few
+/// of them to another.
+Climb climb(std::span<const Vec3> x, std::span<const double> q, const KeyFunction& key, const Pose& pose,
+            std::span<Index> faces) {
     const Eigen::Index n = parameters(pose.deformation);
     return parallel_sum(x.size(), block, Climb(n), [&](std::size_t begin, std::size_t end) {
         Climb sum(n);
         for (std::size_t i = begin; i < end; ++i) {
             const Vec3 direction = pose.direction(x[i]);
-            const KeyFunction::Value w = key(direction);
+            const KeyFunction::Value w = key(direction, faces[i]);
             sum.value += q[i] * w.value;
             add_gradient(sum.gradient, pose, x[i], direction, q[i] * w.gradient);
         }
@@ -102,7 +106,8 @@ Refined refine(std::span<const Vec3> x, std::span<const double> q, const KeyFunc
                const RefineOptions& options) {
     const Eigen::Index n = parameters(start.deformation);
     Refined best{start};
-    Climb at = climb(x, q, key, start);
+    std::vector<Index> faces(x.size(), no_index);
+    Climb at = climb(x, q, key, start, faces);
     best.value = at.value;
     Eigen::MatrixXd inverse; // of the Hessian's negative
     for (; best.iterations < options.iterations && at.gradient.norm() > 0; ++best.iterations) {
@@ -117,7 +122,7 @@ Refined refine(std::span<const Vec3> x, std::span<const double> q, const KeyFunc
         double length = 1;
         for (; length > 0.02; length /= 2.5) {
             pose = stepped(best.pose, length * step);
-            next = climb(x, q, key, pose);
+            next = climb(x, q, key, pose, faces);
             if (next.value > at.value + 1e-3 * length * step.dot(at.gradient))
                 break;
         }

@@ -2,6 +2,8 @@
 #include <wm3d/search/rotation_correlation.hpp>
 
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <wm3d/core/error.hpp>
@@ -25,18 +27,25 @@ double error_against_sum(unsigned bandwidth, unsigned samples, std::uint64_t see
     const RotationCorrelation<Real> correlation(bandwidth, samples);
     double scale = 0, error = 0;
     Numbers number(seed);
-    correlation(f, w, [&](std::size_t b, std::span<const Real> values) {
+    const auto check = [&](std::size_t a, std::size_t b, std::size_t c, Real value) {
+        const Mat3 rotation = correlation.rotation(a, b, c);
+        double sum = 0;
+        for (std::size_t i = 0; i < points.directions.size(); ++i)
+            sum += points.weights[i] * evaluate(w, rotation * points.directions[i]);
+        scale = std::max(scale, std::abs(sum));
+        error = std::max(error, std::abs(value - sum));
+    };
+    std::size_t angles = 0;
+    correlation({&f, 1}, w, [&](std::size_t, std::size_t b, std::span<const std::complex<Real>> values) {
+        angles += 2;
         for (int k = 0; k < 4; ++k) {
             const auto a = static_cast<std::size_t>((number() + 1) / 2 * samples),
                        c = static_cast<std::size_t>((number() + 1) / 2 * samples);
-            const Mat3 rotation = correlation.rotation(a, b, c);
-            double sum = 0;
-            for (std::size_t i = 0; i < points.directions.size(); ++i)
-                sum += points.weights[i] * evaluate(w, rotation * points.directions[i]);
-            scale = std::max(scale, std::abs(sum));
-            error = std::max(error, std::abs(values[a * samples + c] - sum));
+            check(a, b, c, values[a * samples + c].real());
+            check(a, samples - 1 - b, c, values[a * samples + c].imag());
         }
     });
+    CHECK(angles == samples);
     return error / scale;
 }
 
@@ -60,15 +69,43 @@ TEST_CASE("of a function and its turned copy, the correlation is largest at the 
     const RotationCorrelation<float> correlation(bandwidth, samples);
     float best = 0;
     Mat3 found = Mat3::Identity();
-    correlation(f, w, [&](std::size_t b, std::span<const float> values) {
-        for (std::size_t k = 0; k < values.size(); ++k)
-            if (values[k] > best) {
-                best = values[k];
-                found = correlation.rotation(k / samples, b, k % samples);
-            }
+    const auto look = [&](std::size_t k, std::size_t b, float value) {
+        if (value > best) {
+            best = value;
+            found = correlation.rotation(k / samples, b, k % samples);
+        }
+    };
+    correlation({&f, 1}, w, [&](std::size_t, std::size_t b, std::span<const std::complex<float>> values) {
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            look(k, b, values[k].real());
+            look(k, samples - 1 - b, values[k].imag());
+        }
     });
     const double degrees = Eigen::AngleAxisd(Mat3(found * turn.transpose())).angle() * 57.3;
     CHECK(degrees < 180.0 / bandwidth);
+}
+
+TEST_CASE("several functions together give the same numbers as each by itself") {
+    const unsigned bandwidth = 19, samples = 38;
+    WeightedPoints key(60, 1);
+    const Harmonics w = direct_harmonics(key.directions, key.weights, bandwidth);
+    std::vector<Harmonics> f;
+    for (std::uint64_t seed = 2; seed < 5; ++seed) {
+        WeightedPoints points(80, seed);
+        f.push_back(direct_harmonics(points.directions, points.weights, bandwidth));
+    }
+    const RotationCorrelation<float> correlation(bandwidth, samples);
+    using Values = std::vector<std::complex<float>>;
+    std::map<std::pair<std::size_t, std::size_t>, Values> together;
+    correlation(f, w, [&](std::size_t k, std::size_t b, std::span<const std::complex<float>> values) {
+        together[{k, b}] = Values(values.begin(), values.end());
+    });
+    CHECK(together.size() == f.size() * samples / 2);
+    for (std::size_t k = 0; k < f.size(); ++k)
+        correlation({&f[k], 1}, w,
+                    [&](std::size_t, std::size_t b, std::span<const std::complex<float>> values) {
+                        CHECK(together[{k, b}] == Values(values.begin(), values.end()));
+                    });
 }
 
 TEST_CASE("too few samples are refused") {

@@ -44,8 +44,8 @@ Icosphere::Icosphere(unsigned level) {
         faces_.push_back(subdivide(faces_.back(), vertices_));
 }
 
-SphereLocation Icosphere::locate(const Vec3& direction) const {
-    const Vec3 d = unit(direction);
+/// The face of the finest level in a direction.
+std::size_t Icosphere::descend(const Vec3& d) const {
     // The cones of the icosahedron's faces are the Voronoi cells of the faces' centres.
     const auto nearest =
         std::ranges::max_element(centres_, {}, [&](const Vec3& centre) { return d.dot(centre); });
@@ -60,18 +60,38 @@ SphereLocation Icosphere::locate(const Vec3& direction) const {
         const auto furthest = std::ranges::max_element(beyond);
         face = 4 * face + (*furthest > 0 ? static_cast<std::size_t>(furthest - beyond.begin()) : 3);
     }
-    return in_face(d, level(), face);
+    return face;
+}
+
+SphereLocation Icosphere::locate(const Vec3& direction) const {
+    return locate(direction, no_index);
+}
+
+SphereLocation Icosphere::locate(const Vec3& direction, Index guess) const {
+    const Vec3 d = unit(direction);
+    if (guess < faces().size())
+        if (const Vec3 there = sides(d, level(), guess); there.minCoeff() > 0)
+            return in_face(there, level(), guess);
+    const std::size_t face = descend(d);
+    return in_face(sides(d, level(), face), level(), face);
 }
 
 SphereLocation Icosphere::coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const {
     // Face f of a level lies in face f / 4 of the level before.
-    return in_face(unit(direction), level, fine.face >> (2 * (this->level() - level)));
+    const std::size_t face = fine.face >> (2 * (this->level() - level));
+    return in_face(sides(unit(direction), level, face), level, face);
 }
 
-SphereLocation Icosphere::in_face(const Vec3& d, unsigned level, std::size_t face) const {
+/// On which side of the face's three edges a direction lies, all positive inside.
+Vec3 Icosphere::sides(const Vec3& d, unsigned level, std::size_t face) const {
     const Triangle& corners = faces_[level][face];
     const Vec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
-    Vec3 weights{side(d, b, c), side(d, c, a), side(d, a, b)};
+    return {side(d, b, c), side(d, c, a), side(d, a, b)};
+}
+
+SphereLocation Icosphere::in_face(Vec3 weights, unsigned level, std::size_t face) const {
+    const Triangle& corners = faces_[level][face];
+    const Vec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
     weights = weights.cwiseMax(0.0); // rounding may leave a point on an edge a hair outside
     weights /= weights.sum();
     return {static_cast<Index>(face), corners, weights,

@@ -143,6 +143,24 @@ TEST_CASE("coordinates are continuous across edges") {
     CHECK(worst < 1e-11); // 1e-13 over an edge of about 0.02, times a few
 }
 
+TEST_CASE("whatever face is guessed first, the place is the same") {
+    const Icosphere sphere(3);
+    const auto faces = static_cast<Index>(sphere.faces().size());
+    for (const Vec3& direction : random_directions(300, 11)) {
+        const SphereLocation at = sphere.locate(direction), opposite = sphere.locate(-direction);
+        for (const Index guess : {at.face, at.face / 4 * 4, opposite.face, faces - 1, faces, no_index}) {
+            const SphereLocation guessed = sphere.locate(direction, guess);
+            CHECK(guessed.face == at.face);
+            CHECK(guessed.barycentric == at.barycentric);
+        }
+    }
+    bool all = true;
+    for (const Vec3& direction : degenerate_directions(sphere))
+        for (const Index guess : {sphere.locate(direction).face, Index(7)})
+            all = all && consistent(sphere, direction, sphere.locate(direction, guess));
+    CHECK(all);
+}
+
 TEST_CASE("a list is located as its directions are, at one thread and at many") {
     const Icosphere sphere(5);
     const std::vector<Vec3> directions = random_directions(5000, 5);

@@ -24,6 +24,9 @@ public:
     };
     Value operator()(const Vec3& direction) const;
 
+    /// The same, looking at `face` of the sphere first and leaving there which one it is.
+    Value operator()(const Vec3& direction, Index& face) const;
+
     const sphere::Icosphere& sphere() const { return *sphere_; }
     const std::vector<double>& heights() const { return w_; }
     double limit() const { return limit_; }

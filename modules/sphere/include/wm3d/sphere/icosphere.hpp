@@ -46,6 +46,10 @@ public:
     /// \pre  the coordinates are finite
     SphereLocation locate(const Vec3& direction) const;
 
+    /// The same, looking at face `guess` first: for a direction that moves little from one call to the next.
+    /// Any number may be guessed.
+    SphereLocation locate(const Vec3& direction, Index guess) const;
+
     /// Where the same direction meets the sphere of a coarser level, given its place on this one.
     /// \pre  level <= this->level(); fine == locate(direction)
     SphereLocation coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const;
@@ -54,7 +58,9 @@ public:
     std::vector<SphereLocation> locate(std::span<const Vec3> directions) const;
 
 private:
-    SphereLocation in_face(const Vec3& unit_direction, unsigned level, std::size_t face) const;
+    std::size_t descend(const Vec3& unit_direction) const;
+    Vec3 sides(const Vec3& unit_direction, unsigned level, std::size_t face) const;
+    SphereLocation in_face(Vec3 sides, unsigned level, std::size_t face) const;
 
     std::vector<Vec3> vertices_;
     std::vector<std::vector<Triangle>> faces_; ///< of level 0, 1, ..., level
