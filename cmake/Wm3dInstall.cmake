@@ -1,7 +1,6 @@
 # The installed suite: headers, static libraries, the executable, and what finds them again: a CMake package whose
 # components are the modules, and a pkg-config file of the front door.
 
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/wm3d)
 

@@ -5,6 +5,12 @@ set(stage ${CMAKE_CURRENT_BINARY_DIR}/stage)
 add_test(NAME "installed: a prefix of its own"
     COMMAND ${CMAKE_COMMAND} -D STAGE=${stage} -D BUILD=${PROJECT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/install.cmake)
 set_tests_properties("installed: a prefix of its own" PROPERTIES FIXTURES_SETUP installed)
+if(WM3D_COMMANDS AND TARGET wm3d_voxels)
+    add_test(NAME "installed: the library of the voxels"
+        COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/voxels.sh ${stage} ${CMAKE_CURRENT_BINARY_DIR}/voxels)
+    set_tests_properties("installed: the library of the voxels" PROPERTIES FIXTURES_REQUIRED installed
+        SKIP_REGULAR_EXPRESSION "SKIPPED:")
+endif()
 
 # wm3d_consumer_test(NAME SOURCE PROGRAM OPTION...): configures and builds a project, and runs a program of it.
 function(wm3d_consumer_test name source program)

@@ -29,7 +29,7 @@ struct RemeshOptions {
 /// CGAL: new vertices on the same surface, edges of nearly one length.
 TriangleMesh remesh_isotropic(const TriangleMesh& mesh, const RemeshOptions& options = {});
 
-/// Whether this build has OpenVDB, and so `extract_voxels`.
+/// Whether this build was made with OpenVDB, and so `extract_voxels`.
 bool has_voxels();
 
 /// Turns the surface into a signed distance field with `resolution` voxels across the longest side of its box
