@@ -473,6 +473,7 @@ using wm3d::watermark::most_examined;
 using wm3d::watermark::name;
 using wm3d::watermark::NullReport;
 using wm3d::watermark::one_of_two_looks;
+using wm3d::watermark::paid_for;
 using wm3d::watermark::PaperReport;
 using wm3d::watermark::percent;
 using wm3d::watermark::PieceOptions;

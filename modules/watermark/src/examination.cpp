@@ -71,20 +71,28 @@ Examination::Examination(const Suspect& suspect, ExaminationOptions options, con
       stop_(suspect.stop), telling_(suspect.telling) {
     notify(progress, "examining the surface", 0);
     make_poses(suspect, progress);
-    for (View& view : views_)
-        view.base = to_frame(suspect.base, view.frame);
-    gather_evidence();
+    gather_evidence(suspect.base);
     make_family();
     notify(progress, "examining the surface", 1);
 }
 
-void Examination::gather_evidence() {
+void Examination::look(View& view, const TriangleMesh& base) const {
+    view.base = to_frame(base, view.frame);
+    view.evidence = std::make_unique<detect::Evidence>(view.base, options_.evidence);
+}
+
+void Examination::gather_evidence(const TriangleMesh& base) {
     // Views of nearly one scale differ in their centre alone, and that is cheap.
     constexpr double alike = 0.1;
     const View& first = views_.front();
     parallel_blocks(views_.size(), 1, [&](std::size_t v, std::size_t) {
-        if (v == 0 || std::abs(views_[v].frame.scale / first.frame.scale - 1) > alike)
-            views_[v].evidence = std::make_unique<detect::Evidence>(views_[v].base, options_.evidence);
+        View& view = views_[v];
+        if (view.evidence)
+            return;
+        if (v == 0 || std::abs(view.frame.scale / first.frame.scale - 1) > alike)
+            look(view, base);
+        else
+            view.base = to_frame(base, view.frame);
     });
     for (View& view : views_)
         if (!view.evidence)
@@ -100,8 +108,16 @@ void Examination::add_principal_poses(const Suspect& suspect, const Progress& pr
         moment_gap_ = std::min(moment_gap_, resync::least_gap(estimate.moments));
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
-        for (const resync::CandidatePose& before :
-             resync::frames_before_smoothing(suspect.mesh, estimate.finest, substance))
+        std::vector<resync::CandidatePose> before_smoothing;
+        parallel_invoke( // the evidence about the first centre waits for no other
+            [&] {
+                before_smoothing = resync::frames_before_smoothing(suspect.mesh, estimate.finest, substance);
+            },
+            [&] {
+                if (!views_.front().evidence)
+                    look(views_.front(), suspect.base);
+            });
+        for (const resync::CandidatePose& before : before_smoothing)
             for (const Frame& choice : sign_choices(before.frame))
                 add_pose({choice, before.origin});
     }

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/weld.hpp>
@@ -269,14 +270,17 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     }
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
-    result.check = self_check(suspect, result.marked, key, check, progress);
     const Marked& marked = result.marked;
+    std::vector<Rehearsed> rehearsed;
+    parallel_invoke([&] { result.check = self_check(suspect, marked, key, check, progress); },
+                    [&] {
+                        Sequences sequences(key.secret(), marked.rmax);
+                        rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax);
+                    });
     if (result.check.verdict == detect::Verdict::present) {
-        Sequences sequences(key.secret(), marked.rmax);
         if (!is_readable(result.check, key, options.mark))
             result.loss = Loss::content;
-        result.rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax,
-                                    result.check.score.hypotheses);
+        result.rehearsed = paid_for(std::move(rehearsed), result.check.score.hypotheses);
     } else {
         result.loss =
             lost_in_storage(result, model.mesh(), key, check, progress) ? Loss::storage : Loss::power;

@@ -56,7 +56,7 @@ TriangleMesh coarsened(const TriangleMesh& mesh, std::size_t vertices) {
 }
 
 double best_log10_p(const TriangleMesh& mesh, const sphere::Icosphere& sphere, std::span<const double> w,
-                    double rmax, std::size_t hypotheses, std::span<const std::size_t> filters) {
+                    double rmax, std::span<const std::size_t> filters) {
     detect::EvidenceOptions options;
     const std::vector<detect::Filter> bank = std::move(options.filters);
     options.filters.clear();
@@ -70,13 +70,13 @@ double best_log10_p(const TriangleMesh& mesh, const sphere::Icosphere& sphere, s
         if (t.sigma() > 0)
             best = std::min(best, detect::exact_tail(t, t.value(w)).log10_p);
     }
-    return std::min(0.0, best + std::log10(static_cast<double>(hypotheses)));
+    return best;
 }
 
 } // namespace
 
 std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Sequences& sequences,
-                                unsigned level, double rmax, std::size_t hypotheses) {
+                                unsigned level, double rmax) {
     const TriangleMesh base = to_frame(marked.base, frame);
     const std::size_t vertices = marked.mesh.positions.size();
     const double density = static_cast<double>(base.positions.size()) / static_cast<double>(vertices);
@@ -96,9 +96,15 @@ std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Seque
     const std::span<const double> w = sequences(level);
     parallel_tasks(attacks.size(), [&](std::size_t k) {
         const Attack& attack = attacks[k];
-        results[k] = {attack.name, best_log10_p(attack.apply(), sphere, w, rmax, hypotheses, attack.filters)};
+        results[k] = {attack.name, best_log10_p(attack.apply(), sphere, w, rmax, attack.filters)};
     });
     return results;
+}
+
+std::vector<Rehearsed> paid_for(std::vector<Rehearsed> rehearsed, std::size_t hypotheses) {
+    for (Rehearsed& r : rehearsed)
+        r.log10_p = std::min(0.0, r.log10_p + std::log10(static_cast<double>(hypotheses)));
+    return rehearsed;
 }
 
 } // namespace wm3d::watermark

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/search/centres.hpp>
 #include <wm3d/search/pose_search.hpp>
@@ -294,13 +295,16 @@ VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyO
 VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
     require_effort(options);
-    const Hypotheses all = hypotheses(suspect, key, options, progress);
+    std::optional<Hypotheses> examined;
+    search::Outline outline;
+    parallel_invoke([&] { examined.emplace(hypotheses(suspect, key, options, progress)); },
+                    [&] { outline = search::outline(suspect.mesh); });
+    const Hypotheses& all = *examined;
     Sequences sequences(key.secret(), key.parameters().rmax);
 
     VerifyReport report;
     report.registration = all.registration;
     report.reference_coverage = all.reference_coverage;
-    const search::Outline outline = search::outline(suspect.mesh);
     report.largest_opening = outline.opening;
     report.lone_flat = outline.closed;
     report.may_be_part = may_be_part(outline);

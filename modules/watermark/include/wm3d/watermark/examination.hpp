@@ -114,7 +114,8 @@ private:
     std::vector<sphere::SparseRows> rows(std::size_t pose, std::span<const unsigned> levels) const;
     void make_poses(const Suspect& suspect, const Progress& progress);
     void add_principal_poses(const Suspect& suspect, const Progress& progress);
-    void gather_evidence();
+    void look(View& view, const TriangleMesh& base) const;
+    void gather_evidence(const TriangleMesh& base);
     void add_pose(const resync::CandidatePose& candidate);
     /// A pose whose statistics those of another follow from by a half turn of the sphere; itself if none is.
     struct Leader {
