@@ -80,7 +80,7 @@ public:
                 if (angle_between(choice.axes, frame.axes) < 0.3 * step_)
                     return true;
         if (frames_.size() < most_)
-            frames_.push_back({frame, origin});
+            frames_.push_back({frame, origin, frames_.empty()});
         return frames_.size() < most_;
     }
 
@@ -190,7 +190,7 @@ std::vector<CandidatePose> candidate_poses(const FrameEstimate& estimate, const 
     std::vector<CandidatePose> poses;
     for (const CandidatePose& candidate : list.frames())
         for (const Frame& choice : sign_choices(candidate.frame))
-            poses.push_back({choice, candidate.origin});
+            poses.push_back({choice, candidate.origin, candidate.likely});
     return poses;
 }
 

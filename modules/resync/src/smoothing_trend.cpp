@@ -46,7 +46,7 @@ std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, con
     for (double times : options.back) {
         const Frame before = extrapolated(frame, smoothed, times);
         if (differ(before, frame, options))
-            candidates.push_back({before, "principal axes before smoothing"});
+            candidates.push_back({before, "principal axes before smoothing", false});
     }
     return candidates;
 }

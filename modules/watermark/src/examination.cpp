@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
@@ -26,6 +27,19 @@ std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
     for (Vec3& direction : directions)
         direction = turn * direction;
     return directions;
+}
+
+/// The levels that `mark` chooses for meshes of so many vertices or more.
+std::vector<unsigned> usual_levels(std::span<const unsigned> levels, std::size_t vertices) {
+    key::PublicParameters parameters;
+    parameters.levels.assign(levels.begin(), levels.end());
+    std::vector<unsigned> usual;
+    for (const std::size_t marked : {std::numeric_limits<std::size_t>::max(), vertices})
+        for (const Profile profile : {Profile::masked, Profile::robust})
+            if (const unsigned level = default_level(parameters, marked, profile);
+                std::ranges::find(usual, level) == usual.end())
+                usual.push_back(level);
+    return usual;
 }
 
 /// c of a pose that a half turn of the sphere makes of this one.
@@ -66,9 +80,10 @@ Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options
     : Examination(simplify_suspect(suspect, options.vertices, progress), options, progress) {}
 
 Examination::Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress)
-    : options_(std::move(options)), finest_(std::ranges::max(options_.levels)),
-      base_vertices_(suspect.base.positions.size()), diagonal_(surface_box(suspect.mesh).diagonal()),
-      stop_(suspect.stop), telling_(suspect.telling) {
+    : options_(std::move(options)),
+      usual_levels_(usual_levels(options_.levels, suspect.mesh.positions.size())),
+      finest_(std::ranges::max(options_.levels)), base_vertices_(suspect.base.positions.size()),
+      diagonal_(surface_box(suspect.mesh).diagonal()), stop_(suspect.stop), telling_(suspect.telling) {
     notify(progress, "examining the surface", 0);
     make_poses(suspect, progress);
     gather_evidence(suspect.base);
@@ -119,7 +134,7 @@ void Examination::add_principal_poses(const Suspect& suspect, const Progress& pr
             });
         for (const resync::CandidatePose& before : before_smoothing)
             for (const Frame& choice : sign_choices(before.frame))
-                add_pose({choice, before.origin});
+                add_pose({choice, before.origin, before.likely});
     }
 }
 
@@ -204,14 +219,15 @@ std::vector<Examination::Leader> Examination::leading_poses() const {
 void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
                                  const detect::CellSamples* samples) const {
     const std::vector<Vec3>& places = samples ? samples->positions() : view(pose).base.positions;
+    const std::vector<unsigned>& levels = poses_[pose].candidate.likely ? options_.levels : usual_levels_;
     const std::vector<sphere::SparseRows> of_level =
-        sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), options_.levels);
+        sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), levels);
     const detect::Evidence& seen = evidence(pose);
     for (std::size_t l = 0; l < of_level.size(); ++l)
         for (std::size_t f = 0; f < seen.filters(); ++f)
             hypotheses.push_back({samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
                                           : seen.statistic(f, of_level[l], options_.rmax),
-                                  options_.levels[l], pose, f,
+                                  levels[l], pose, f,
                                   samples ? detect::Source::cells : detect::Source::vertices});
 }
 

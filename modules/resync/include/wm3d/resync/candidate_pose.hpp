@@ -13,6 +13,7 @@ namespace wm3d::resync {
 struct CandidatePose {
     Frame frame;
     std::string origin; ///< for people: "principal axes", "receipt", ...
+    bool likely = true; ///< else a second guess: a coarser mesh's axes, a turn, the axes before a smoothing
 };
 
 } // namespace wm3d::resync

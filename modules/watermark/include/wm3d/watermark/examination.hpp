@@ -79,7 +79,7 @@ public:
     const detect::Evidence& evidence(std::size_t pose = 0) const { return *view(pose).evidence; }
 
     /// Poses times levels times filters, each hypothesis with its linear statistic; on coarse suspects twice,
-    /// at the vertices and around them.
+    /// at the vertices and around them. Poses that are second guesses are read on the usual levels alone.
     std::span<const detect::Hypothesis> family() const { return family_; }
 
     /// Expected score, in standard deviations, of the best filter for a mark of this level whose
@@ -130,7 +130,8 @@ private:
                         const detect::CellSamples* samples) const;
 
     ExaminationOptions options_;
-    sphere::Icosphere finest_; ///< of the levels
+    std::vector<unsigned> usual_levels_; ///< on which a mark lies if nobody asks for another
+    sphere::Icosphere finest_;           ///< of the levels
     std::size_t base_vertices_ = 0;
     double diagonal_ = 0; ///< of the suspect's box
     simplify::Stop stop_ = simplify::Stop::reached;
