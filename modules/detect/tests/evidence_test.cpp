@@ -67,6 +67,19 @@ TriangleMesh steps() {
 
 } // namespace
 
+TEST_CASE("the places of the bank are where the names say") {
+    const std::vector<Filter> bank = EvidenceOptions{}.filters;
+    REQUIRE(bank.size() == folds_of_flats + 1);
+    CHECK((bank[smoothed_scans].hinges == 0 && bank[smoothed_scans].bound > 0));
+    CHECK((bank[coarse_coordinates].hinges == 0 && bank[coarse_coordinates].calming > 0));
+    for (const std::size_t place :
+         {folds_after_rounding, folds_as_marked, folds_after_simplification, folds_of_flats}) {
+        CHECK(bank[place].hinges > 0);
+        CHECK(bank[place].noise < bank[folds_under_noise].noise);
+    }
+    CHECK((bank[folds_of_flats].noise == 0 && bank[folds_of_flats].evened));
+}
+
 TEST_CASE("a mark raises the score of its own key by about what was predicted, and of no other") {
     const TriangleMesh host = canonical_blob();
     const sphere::SparseRows rows = rows_of(host);

@@ -86,11 +86,16 @@ std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Seque
         std::function<TriangleMesh()> apply;
         std::vector<std::size_t> filters; ///< of the bank, those that such damage leaves the most to
     };
+    using namespace detect; // the places of the bank
     const std::vector<Attack> attacks{
-        {"noise 0.3 %", [&] { return with_noise(base, 0.3); }, {2, 5}},
-        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {1, 4}},
-        {"8 bits", [&] { return rounded(base, 8); }, {2, 5}},
-        {"1/4 of the vertices", [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); }, {4, 5}}};
+        {"noise 0.3 %",
+         [&] { return with_noise(base, 0.3); },
+         {folds_under_noise, folds_after_simplification}},
+        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {smoothed_scans, folds_as_marked}},
+        {"8 bits", [&] { return rounded(base, 8); }, {folds_under_noise, folds_after_simplification}},
+        {"1/4 of the vertices",
+         [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); },
+         {folds_as_marked, folds_after_simplification}}};
     std::vector<Rehearsed> results(attacks.size());
     const sphere::Icosphere sphere(level);
     const std::span<const double> w = sequences(level);

@@ -53,6 +53,15 @@ struct Filter {
 /// "filter t = 0.0002, power 0.5", or "hinges of 0.001, noise 0.0006".
 std::string describe(const Filter& filter);
 
+/// Places in the bank that EvidenceOptions begins with, by where each says most.
+inline constexpr std::size_t folds_after_rounding = 0; ///< of machined parts and game models
+inline constexpr std::size_t smoothed_scans = 1;
+inline constexpr std::size_t folds_under_noise = 2;
+inline constexpr std::size_t coarse_coordinates = 3;
+inline constexpr std::size_t folds_as_marked = 4;
+inline constexpr std::size_t folds_after_simplification = 5; ///< and after a cut
+inline constexpr std::size_t folds_of_flats = 6; ///< of machined parts, as they were marked or smoothed
+
 struct EvidenceOptions {
     /// The bank. The best of its statistics decides and all of them are paid for; docs/algorithm.md, section
     /// 7, says how these were chosen.

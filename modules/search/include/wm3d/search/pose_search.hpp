@@ -15,8 +15,8 @@
 namespace wm3d::search {
 
 struct SearchOptions {
-    unsigned bandwidth = 64;    ///< of the harmonics: 128^3 rotations for each centre
-    std::size_t filter = 5;     ///< of the evidence, whose T is searched
+    unsigned bandwidth = 64; ///< of the harmonics: 128^3 rotations for each centre
+    std::size_t filter = detect::folds_after_simplification; ///< of the evidence, whose T is searched
     double promising = 5.4;     ///< standard deviations from which closer centres are looked at, at once
     double worth_a_climb = 6.0; ///< ... from which the best of them is refined
     std::size_t finalists = 8;  ///< less promising poses that are refined when all centres were tried
