@@ -24,6 +24,7 @@ namespace {
 VerifyOptions self_check_options(const MarkOptions& mark, resync::Ambiguity ambiguity) {
     VerifyOptions options;
     options.pf = mark.pf;
+    options.read_payload = mark.content.message.has_value();
     options.effort = ambiguity == resync::Ambiguity::none ? 0 : 0.02;
     return options;
 }
@@ -251,14 +252,20 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
                       const Progress& progress) {
     MarkedModel result;
     result.coordinate_step = model.coordinate_step();
-    result.ambiguity = ambiguity_of(model.mesh());
-    try {
-        result.marked = mark(model.mesh(), key, options.mark, progress);
-    } catch (const TooVisible& reason) {
+    std::optional<TooVisible> reason;
+    const auto mark_or_tell = [&] {
+        try {
+            result.marked = mark(model.mesh(), key, options.mark, progress);
+        } catch (const TooVisible& too_visible) {
+            reason = too_visible;
+        }
+    };
+    parallel_invoke(mark_or_tell, [&] { result.ambiguity = ambiguity_of(model.mesh()); });
+    if (reason) {
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
             result.remedy =
-                fmt::format("{}; {}", reason.what(), remedy(model, key, options, result, progress));
+                fmt::format("{}; {}", reason->what(), remedy(model, key, options, result, progress));
         return result;
     }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);

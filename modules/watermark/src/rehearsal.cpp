@@ -91,8 +91,8 @@ std::vector<Rehearsed> rehearse(const Suspect& marked, const Frame& frame, Seque
         {"noise 0.3 %",
          [&] { return with_noise(base, 0.3); },
          {folds_under_noise, folds_after_simplification}},
-        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {smoothed_scans, folds_as_marked}},
-        {"8 bits", [&] { return rounded(base, 8); }, {folds_under_noise, folds_after_simplification}},
+        {"smoothing 10", [&] { return smoothed(base, 10, density); }, {folds_as_marked}},
+        {"8 bits", [&] { return rounded(base, 8); }, {folds_under_noise}},
         {"1/4 of the vertices",
          [&] { return coarsened(base, std::max<std::size_t>(quarter, 4)); },
          {folds_as_marked, folds_after_simplification}}};

@@ -272,7 +272,7 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
 /// The payload where the common part shows best: that was chosen without a look at the payload's streams.
 std::optional<payload::Reading> read_payload(const VerifyReport& report, const key::Key& key,
                                              const VerifyOptions& options) {
-    if (options.detector == Detector::paper)
+    if (options.detector == Detector::paper || !options.read_payload)
         return {};
     std::optional<payload::Reading> reading =
         payload::read_payload(key.secret(), report.level, report.statistic);

@@ -32,7 +32,8 @@ struct VerifyOptions {
     const TriangleMesh* reference = nullptr;   ///< align with it and look at the difference too
     SearchUse search = SearchUse::when_needed; ///< with the whitened detector and Resync::pca only
     double effort = 1;                         ///< of the search, see SearchEffort
-    bool look_closer = true; ///< at all vertices, where that shows more: see closer_look.hpp
+    bool look_closer = true;  ///< at all vertices, where that shows more: see closer_look.hpp
+    bool read_payload = true; ///< by the whitened detector, if there is one
     std::size_t vertices = default_vertices;
     std::size_t null_keys = 0;   ///< random keys to score on the same mesh
     std::uint64_t null_seed = 1; ///< which random keys
