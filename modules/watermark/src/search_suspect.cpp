@@ -45,6 +45,14 @@ enum class Extent {
     all,  ///< wherever its openings suggest
 };
 
+/// Filters whose T is searched, one after the other. What nothing was cut from may be as it was marked, and has few
+/// centres.
+std::vector<std::size_t> filters(Extent extent) {
+    if (extent == Extent::own)
+        return {search::SearchOptions{}.filter, detect::folds_as_marked};
+    return {search::SearchOptions{}.filter};
+}
+
 /// A piece of the suspect that is examined as if it were all.
 struct Piece {
     const Suspect* suspect;
@@ -92,7 +100,8 @@ private:
     std::vector<Vec3> lattice_of_centres(const Units& units, double covering, double pairs) const;
     std::vector<unsigned> ordered_levels(std::size_t vertices) const;
     const search::KeyFunction& key(unsigned level);
-    double expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece);
+    double expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece,
+                    const search::SearchOptions& options);
 
     const Suspect& suspect_;
     const Examination& seen_;
@@ -233,10 +242,10 @@ std::vector<search::Target> SuspectSearch::targets(const Piece& piece, const Uni
     return result;
 }
 
-double SuspectSearch::expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece) {
+double SuspectSearch::expected(const Units& units, const detect::Evidence& evidence, const Suspect& piece,
+                               const search::SearchOptions& options) {
     const unsigned level = ordered_levels(piece.mesh.positions.size()).front();
     const double move = reference_strength_ / 100 * surface_box(piece.mesh).diagonal() / units.outline.radius;
-    const search::SearchOptions options;
     const sphere::SparseRows rows = sphere::barycentric_rows(key(level).sphere(), units.base.positions);
     const std::vector<double> mark = evidence.mark_weights_at(options.filter, rows, sequences_(level), move);
     return search::expected_sigmas(units.base.positions, evidence, mark, key(level), fine_covering, options);
@@ -276,22 +285,29 @@ bool SuspectSearch::search_piece(const Piece& piece, double pairs) {
     const Units units(piece);
     const detect::Evidence evidence(units.base, seen_.options().evidence);
     search::SearchOptions options;
-    options.filter = std::min(options.filter, evidence.filters() - 1);
     options.deformation = effort_.deformation;
     if (piece.extent == Extent::near)
         options.finalists = 2;
-    const double expected_here = expected(units, evidence, *piece.suspect);
-    SearchReport& report = result_.report;
-    report.expected_sigmas =
-        report.centres == 0 ? expected_here : std::min(report.expected_sigmas, expected_here);
     const std::vector<search::Target> wanted = targets(piece, units, pairs);
-    const search::SearchOutcome outcome = search::search_poses(
-        units.base.positions, evidence, wanted,
-        [&](const search::Candidate& candidate) { return confirm(piece, units, candidate); }, options,
-        progress_);
-    report.centres += outcome.centres;
-    report.rotations += outcome.rotations;
-    return outcome.accepted;
+    SearchReport& report = result_.report;
+    const bool is_first = report.centres == 0;
+    double expected_here = 0;
+    bool found = false;
+    for (const std::size_t filter : filters(piece.extent)) {
+        options.filter = std::min(filter, evidence.filters() - 1);
+        expected_here = std::max(expected_here, expected(units, evidence, *piece.suspect, options));
+        const search::SearchOutcome outcome = search::search_poses(
+            units.base.positions, evidence, wanted,
+            [&](const search::Candidate& candidate) { return confirm(piece, units, candidate); }, options,
+            progress_);
+        report.centres += outcome.centres;
+        report.rotations += outcome.rotations;
+        found = outcome.accepted;
+        if (found)
+            break;
+    }
+    report.expected_sigmas = is_first ? expected_here : std::min(report.expected_sigmas, expected_here);
+    return found;
 }
 
 Extent SuspectSearch::extent(const search::Outline& outline, const Examination& seen) const {
