@@ -127,7 +127,7 @@ std::vector<Searcher::Found> Searcher::best_rotations(const Prepared& prepared,
                  });
     std::vector<Found> result;
     for (std::size_t k = 0; k < centres.size(); ++k) {
-        Found& found = result.emplace_back(Candidate{Pose{}, prepared.target.level, 0}, &prepared);
+        Found& found = result.emplace_back(Found{{Pose{}, prepared.target.level, 0}, &prepared});
         found.candidate.pose.centre = centres[k];
         const double sigma = spread(f[k], prepared.harmonics);
         if (!(sigma > 0) || peaks[k].height == 0)
