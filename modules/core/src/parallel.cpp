@@ -7,7 +7,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
@@ -62,7 +61,9 @@ void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& b
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
     tbb::task_group_context context(its_own);
-    tbb::parallel_invoke(first, second, context);
+    tbb::task_group group(context);
+    group.run(first);
+    group.run_and_wait(second);
 }
 
 } // namespace wm3d

@@ -72,7 +72,25 @@ void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& b
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-    run(2, [&](std::size_t i) { i == 0 ? first() : second(); });
+    if (limit < 2) {
+        first();
+        second();
+        return;
+    }
+    std::exception_ptr failed;
+    const auto run_first = [&] {
+        try {
+            first();
+        } catch (...) {
+            failed = std::current_exception();
+        }
+    };
+    {
+        const std::jthread other(run_first); // joined whatever the second does
+        second();
+    }
+    if (failed)
+        std::rethrow_exception(failed);
 }
 
 } // namespace wm3d

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include <doctest/doctest.h>
 
@@ -99,4 +100,13 @@ TEST_CASE("both tasks run") {
     std::atomic<int> done = 0;
     parallel_invoke([&] { done += 1; }, [&] { done += 2; });
     CHECK(done == 3);
+}
+
+TEST_CASE("of two tasks the second runs on the calling thread, which hears signals and calls back") {
+    const std::thread::id here = std::this_thread::get_id();
+    for (int k = 0; k < 200; ++k) {
+        std::atomic<int> done = 0;
+        parallel_invoke([&] { ++done; }, [&] { done += std::this_thread::get_id() == here ? 10 : 100; });
+        REQUIRE(done == 11);
+    }
 }

@@ -260,7 +260,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
             reason = too_visible;
         }
     };
-    parallel_invoke(mark_or_tell, [&] { result.ambiguity = ambiguity_of(model.mesh()); });
+    parallel_invoke([&] { result.ambiguity = ambiguity_of(model.mesh()); }, mark_or_tell);
     if (reason) {
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
@@ -279,11 +279,12 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
     const Marked& marked = result.marked;
     std::vector<Rehearsed> rehearsed;
-    parallel_invoke([&] { result.check = self_check(suspect, marked, key, check, progress); },
-                    [&] {
-                        Sequences sequences(key.secret(), marked.rmax);
-                        rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax);
-                    });
+    parallel_invoke(
+        [&] {
+            Sequences sequences(key.secret(), marked.rmax);
+            rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax);
+        },
+        [&] { result.check = self_check(suspect, marked, key, check, progress); });
     if (result.check.verdict == detect::Verdict::present) {
         if (!is_readable(result.check, key, options.mark))
             result.loss = Loss::content;

@@ -297,8 +297,8 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     require_effort(options);
     std::optional<Hypotheses> examined;
     search::Outline outline;
-    parallel_invoke([&] { examined.emplace(hypotheses(suspect, key, options, progress)); },
-                    [&] { outline = search::outline(suspect.mesh); });
+    parallel_invoke([&] { outline = search::outline(suspect.mesh); },
+                    [&] { examined.emplace(hypotheses(suspect, key, options, progress)); });
     const Hypotheses& all = *examined;
     Sequences sequences(key.secret(), key.parameters().rmax);
 

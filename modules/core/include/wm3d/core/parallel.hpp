@@ -37,7 +37,7 @@ void parallel_blocks(std::size_t count, std::size_t block,
 /// than there are threads. An exception in a task reaches the caller.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t i)>& body);
 
-/// Runs two independent tasks, at the same time if a thread is free.
+/// Runs two independent tasks, at the same time if a thread is free; the second on the calling thread.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 
 /// Sum over blocks of [0, count), added in block order. `term(begin, end)` returns the block's own sum.
