@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -72,25 +73,9 @@ void parallel_tasks(std::size_t count, const std::function<void(std::size_t)>& b
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
-    if (limit < 2) {
-        first();
-        second();
-        return;
-    }
-    std::exception_ptr failed;
-    const auto run_first = [&] {
-        try {
-            first();
-        } catch (...) {
-            failed = std::current_exception();
-        }
-    };
-    {
-        const std::jthread other(run_first); // joined whatever the second does
-        second();
-    }
-    if (failed)
-        std::rethrow_exception(failed);
+    std::future<void> other = std::async(limit < 2 ? std::launch::deferred : std::launch::async, first);
+    second();
+    other.get();
 }
 
 } // namespace wm3d

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include <Eigen/Core>
-#include <boost/math/special_functions/erf.hpp>
+#include <wm3d/detect/verdict.hpp>
 
 namespace wm3d::detect {
 
@@ -216,10 +216,7 @@ double chernoff_log10_bound(const LinearStatistic& statistic, double t) {
 
 double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
     // In units of normal quantiles the tail is almost a straight line, so steps of slope 1/sigma contract.
-    const auto normal_quantile = [](double log10_p) {
-        return std::numbers::sqrt2 * boost::math::erfc_inv(2 * std::pow(10.0, log10_p));
-    };
-    const double target = normal_quantile(log10_pf), sigma = statistic.sigma();
+    const double target = normal_sigmas(log10_pf), sigma = statistic.sigma();
     double t = std::min(sigma * target, 0.999 * statistic.maximum());
     double low = target > 0 ? 0 : -statistic.maximum(), high = statistic.maximum();
     for (int step = 0; step < 100; ++step) {
@@ -229,7 +226,7 @@ double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
         (log10_p > log10_pf ? low : high) = t;
         // A normal quantile exists inside (0, 1) only; a step that leaves what is known is halved instead.
         const bool ordinary = log10_p > -300 && log10_p < -1e-9;
-        const double next = ordinary ? t + sigma * (target - normal_quantile(log10_p)) : high;
+        const double next = ordinary ? t + sigma * (target - normal_sigmas(log10_p)) : high;
         t = next > low && next < high ? next : 0.5 * (low + high);
     }
     return t;

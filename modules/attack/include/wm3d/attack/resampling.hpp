@@ -35,7 +35,7 @@ bool has_voxels();
 /// Turns the surface into a signed distance field with `resolution` voxels across the longest side of its box
 /// and extracts the zero level anew, by OpenVDB: the published attack that removes all watermarks that live
 /// in the connectivity (arXiv 2311.12059). Holes are closed first, by a fan each.
-/// \throw ParameterError if this build lacks OpenVDB
+/// \throw ParameterError if this build lacks OpenVDB, or its library can't be loaded
 /// \throw GeometryError if the surface is too thin for the resolution to leave anything
 TriangleMesh extract_voxels(const TriangleMesh& mesh, int resolution);
 
