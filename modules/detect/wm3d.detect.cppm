@@ -115,6 +115,7 @@ using wm3d::sphere::barycentric_rows;
 using wm3d::sphere::bumped_radius;
 using wm3d::sphere::BumpedSphere;
 using wm3d::sphere::delta;
+using wm3d::sphere::Descent;
 using wm3d::sphere::half_turn_axis;
 using wm3d::sphere::half_turns;
 using wm3d::sphere::Icosphere;

@@ -44,23 +44,31 @@ Icosphere::Icosphere(unsigned level) {
         faces_.push_back(subdivide(faces_.back(), vertices_));
 }
 
-/// The face of the finest level in a direction.
-std::size_t Icosphere::descend(const Vec3& d) const {
-    // The cones of the icosahedron's faces are the Voronoi cells of the faces' centres.
-    const auto nearest =
-        std::ranges::max_element(centres_, {}, [&](const Vec3& centre) { return d.dot(centre); });
-    auto face = static_cast<std::size_t>(nearest - centres_.begin());
-    for (std::size_t l = 1; l < faces_.size(); ++l) {
-        // Beyond one edge of the middle child lies the child at a corner; beyond two of them, rounding aside,
-        // nothing.
-        const auto& [ab, bc, ca] = faces_[l][4 * face + 3];
-        const std::array<double, 3> beyond{side(d, vertices_[ab], vertices_[ca]),
-                                           side(d, vertices_[bc], vertices_[ab]),
-                                           side(d, vertices_[ca], vertices_[bc])};
-        const auto furthest = std::ranges::max_element(beyond);
-        face = 4 * face + (*furthest > 0 ? static_cast<std::size_t>(furthest - beyond.begin()) : 3);
+/// The face of level 0 in a direction: the cones of the icosahedron's faces are the Voronoi cells of their centres.
+std::size_t Icosphere::root(const Vec3& d) const {
+    std::size_t nearest = 0;
+    double largest = d.dot(centres_[0]);
+    for (std::size_t f = 1; f < centres_.size(); ++f) {
+        const double along = d.dot(centres_[f]);
+        nearest = along > largest ? f : nearest;
+        largest = std::max(largest, along);
     }
-    return face;
+    return nearest;
+}
+
+/// The face of this level in a direction, which lies in the face `parent` of the level before. Nothing branches
+/// here: which child it is can't be foretold.
+std::size_t Icosphere::child(const Vec3& d, unsigned level, std::size_t parent) const {
+    // Beyond one edge of the middle child lies the child at a corner; beyond two of them, rounding aside, nothing.
+    const auto& [ab, bc, ca] = faces_[level][4 * parent + 3];
+    const double beyond_a = side(d, vertices_[ab], vertices_[ca]),
+                 beyond_b = side(d, vertices_[bc], vertices_[ab]),
+                 beyond_c = side(d, vertices_[ca], vertices_[bc]);
+    std::size_t corner = beyond_b > beyond_a ? 1 : 0;
+    double furthest = std::max(beyond_a, beyond_b);
+    corner = beyond_c > furthest ? 2 : corner;
+    furthest = std::max(furthest, beyond_c);
+    return 4 * parent + (furthest > 0 ? corner : 3);
 }
 
 SphereLocation Icosphere::locate(const Vec3& direction) const {
@@ -71,15 +79,11 @@ SphereLocation Icosphere::locate(const Vec3& direction, Index guess) const {
     const Vec3 d = unit(direction);
     if (guess < faces().size())
         if (const Vec3 there = sides(d, level(), guess); there.minCoeff() > 0)
-            return in_face(there, level(), guess);
-    const std::size_t face = descend(d);
-    return in_face(sides(d, level(), face), level(), face);
-}
-
-SphereLocation Icosphere::coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const {
-    // Face f of a level lies in face f / 4 of the level before.
-    const std::size_t face = fine.face >> (2 * (this->level() - level));
-    return in_face(sides(unit(direction), level, face), level, face);
+            return in_face(there / there.sum(), level(), guess);
+    std::size_t face = root(d);
+    for (unsigned l = 1; l <= level(); ++l)
+        face = child(d, l, face);
+    return in_face(weights(d, level(), face), level(), face);
 }
 
 /// On which side of the face's three edges a direction lies, all positive inside.
@@ -89,11 +93,16 @@ Vec3 Icosphere::sides(const Vec3& d, unsigned level, std::size_t face) const {
     return {side(d, b, c), side(d, c, a), side(d, a, b)};
 }
 
-SphereLocation Icosphere::in_face(Vec3 weights, unsigned level, std::size_t face) const {
+/// Barycentric coordinates, in a face, of the point in a direction.
+Vec3 Icosphere::weights(const Vec3& d, unsigned level, std::size_t face) const {
+    const Vec3 inside =
+        sides(d, level, face).cwiseMax(0.0); // rounding may leave a point on an edge a hair outside
+    return inside / inside.sum();
+}
+
+SphereLocation Icosphere::in_face(const Vec3& weights, unsigned level, std::size_t face) const {
     const Triangle& corners = faces_[level][face];
     const Vec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
-    weights = weights.cwiseMax(0.0); // rounding may leave a point on an edge a hair outside
-    weights /= weights.sum();
     return {static_cast<Index>(face), corners, weights,
             (weights[0] * a + weights[1] * b + weights[2] * c).norm()};
 }
@@ -105,6 +114,18 @@ std::vector<SphereLocation> Icosphere::locate(std::span<const Vec3> directions) 
             result[i] = locate(directions[i]);
     });
     return result;
+}
+
+Descent::Descent(const Icosphere& sphere, std::span<const Vec3> directions)
+    : sphere_(sphere), units_(directions.size()), faces_(directions.size()) {
+    std::ranges::transform(directions, units_.begin(), unit);
+    std::ranges::transform(units_, faces_.begin(), [&](const Vec3& d) { return sphere_.root(d); });
+}
+
+void Descent::refine() {
+    ++level_;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+        faces_[i] = sphere_.child(units_[i], level_, faces_[i]);
 }
 
 } // namespace wm3d::sphere

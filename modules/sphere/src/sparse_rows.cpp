@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/sphere/sparse_rows.hpp>
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -17,9 +18,13 @@ SparseRows empty_rows(unsigned level, std::size_t rows) {
             std::vector<std::array<double, 3>>(rows)};
 }
 
-void set_row(SparseRows& matrix, std::size_t i, const SphereLocation& at) {
-    matrix.indices[i] = at.vertices;
-    matrix.weights[i] = {at.barycentric[0], at.barycentric[1], at.barycentric[2]};
+/// The rows from `begin` on, at the level that the directions have come to.
+void set_rows(SparseRows& matrix, std::size_t begin, std::size_t end, const Descent& at) {
+    for (std::size_t i = begin; i < end; ++i) {
+        const Vec3 weights = at.weights(i - begin);
+        matrix.indices[i] = at.corners(i - begin);
+        matrix.weights[i] = {weights[0], weights[1], weights[2]};
+    }
 }
 
 } // namespace
@@ -38,12 +43,14 @@ std::vector<SparseRows> barycentric_rows(const Icosphere& sphere, std::span<cons
                 fmt::format("level {} is finer than the sphere, which has level {}", level, sphere.level()));
         matrices.push_back(empty_rows(level, directions.size()));
     }
-    parallel_blocks(directions.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const SphereLocation fine = sphere.locate(directions[i]);
+    parallel_blocks(levels.empty() ? 0 : directions.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        Descent descent(sphere, directions.subspan(begin, end - begin));
+        for (;; descent.refine()) {
             for (std::size_t l = 0; l < levels.size(); ++l)
-                set_row(matrices[l], i,
-                        levels[l] == sphere.level() ? fine : sphere.coarser(directions[i], fine, levels[l]));
+                if (levels[l] == descent.level())
+                    set_rows(matrices[l], begin, end, descent);
+            if (descent.level() == std::ranges::max(levels))
+                return;
         }
     });
     return matrices;

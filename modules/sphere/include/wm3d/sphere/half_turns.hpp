@@ -13,11 +13,9 @@ namespace wm3d::sphere {
 
 /// For each half turn about x, y, z: the number of the vertex to which it takes vertex j. That of a coarser
 /// level is the beginning of this one, as its vertices are.
-/// \pre  the sphere's vertices come in exact pairs, as Icosphere makes them
 std::array<std::vector<Index>, 3> half_turns(const Icosphere& sphere);
 
 /// For each vertex the number of the one opposite.
-/// \pre  as `half_turns`
 std::vector<Index> inversion(const Icosphere& sphere);
 
 /// The axis, 0 to 2, of the half turn about a coordinate axis that a rotation is; none if it is no such turn.

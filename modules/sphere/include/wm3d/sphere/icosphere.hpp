@@ -50,21 +50,47 @@ public:
     /// Any number may be guessed.
     SphereLocation locate(const Vec3& direction, Index guess) const;
 
-    /// Where the same direction meets the sphere of a coarser level, given its place on this one.
-    /// \pre  level <= this->level(); fine == locate(direction)
-    SphereLocation coarser(const Vec3& direction, const SphereLocation& fine, unsigned level) const;
-
     /// `locate` for every direction, in parallel.
     std::vector<SphereLocation> locate(std::span<const Vec3> directions) const;
 
 private:
-    std::size_t descend(const Vec3& unit_direction) const;
+    friend class Descent;
+
+    std::size_t root(const Vec3& unit_direction) const;
+    std::size_t child(const Vec3& unit_direction, unsigned level, std::size_t parent) const;
     Vec3 sides(const Vec3& unit_direction, unsigned level, std::size_t face) const;
-    SphereLocation in_face(Vec3 sides, unsigned level, std::size_t face) const;
+    Vec3 weights(const Vec3& unit_direction, unsigned level, std::size_t face) const;
+    SphereLocation in_face(const Vec3& weights, unsigned level, std::size_t face) const;
 
     std::vector<Vec3> vertices_;
     std::vector<std::vector<Triangle>> faces_; ///< of level 0, 1, ..., level
     std::array<Vec3, 20> centres_;             ///< of the icosahedron's faces
+};
+
+/// Many directions on their way down through the levels of a sphere, which has to outlive it. Each step is one loop
+/// over all of them, so that none waits for another.
+class Descent {
+public:
+    /// Starts at level 0. Any length of the directions is right, as for `Icosphere::locate`.
+    Descent(const Icosphere& sphere, std::span<const Vec3> directions);
+
+    unsigned level() const { return level_; }
+
+    /// On to the next level.
+    /// \pre  level() < the sphere's
+    void refine();
+
+    /// Corners of the face in direction i.
+    const Triangle& corners(std::size_t i) const { return sphere_.faces_[level_][faces_[i]]; }
+
+    /// Barycentric coordinates in it; >= 0, sum 1.
+    Vec3 weights(std::size_t i) const { return sphere_.weights(units_[i], level_, faces_[i]); }
+
+private:
+    const Icosphere& sphere_;
+    unsigned level_ = 0;
+    std::vector<Vec3> units_;
+    std::vector<std::size_t> faces_;
 };
 
 } // namespace wm3d::sphere

@@ -23,8 +23,8 @@ struct SparseRows {
 /// B for the given directions: row i weighs the three sphere vertices around direction i. In parallel.
 SparseRows barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions);
 
-/// B for the given directions at each of `levels`, none finer than the sphere's. Every direction is located
-/// once, on the sphere's own level. In parallel.
+/// B for the given directions at each of `levels`, none finer than the sphere's, in one descent to the finest of
+/// them. In parallel.
 /// \throw ParameterError if a level is finer than the sphere
 std::vector<SparseRows> barycentric_rows(const Icosphere& sphere, std::span<const Vec3> directions,
                                          std::span<const unsigned> levels);
