@@ -136,6 +136,7 @@ using wm3d::detect::miss_probability;
 using wm3d::detect::most_sigmas;
 using wm3d::detect::name;
 using wm3d::detect::normal_sigmas;
+using wm3d::detect::own_statistic;
 using wm3d::detect::paper_statistic;
 using wm3d::detect::paper_statistics;
 using wm3d::detect::PaperStatistics;

@@ -2,6 +2,7 @@
 #include <wm3d/detect/family.hpp>
 
 #include <cmath>
+#include <memory>
 
 #include <doctest/doctest.h>
 
@@ -45,6 +46,24 @@ TEST_CASE("the planted hypothesis wins, and all of them are paid for") {
     CHECK(score.log10_p == doctest::Approx(score.best.log10_p + std::log10(6.0)));
     CHECK(score.best.log10_p == exact_tail(family[4].statistic, family[4].statistic.value(w)).log10_p);
     CHECK(score.log10_p < -6);
+}
+
+TEST_CASE("a turned hypothesis scores as its statistic in the sequence's own order") {
+    std::vector<Hypothesis> family = some_family();
+    auto turn = std::make_shared<std::vector<Index>>(400);
+    for (Index j = 0; j < 400; ++j)
+        (*turn)[j] = (j + 17) % 400; // no involution, so that the two ways to apply it differ
+    family[2].turn = turn;
+    const std::vector<double> w = numbers(400, 5, 0.1);
+    const LinearStatistic own = own_statistic(family[2]);
+    CHECK(own.coefficients()[17] == family[2].statistic.coefficients()[0]);
+    const auto sequence = [&](unsigned) { return std::span<const double>(w); };
+    const FamilyScore score = score_family(std::span(family).subspan(2, 1), sequence);
+    CHECK(score.best.value == doctest::Approx(own.value(w)));
+    CHECK(score.best.sigmas == doctest::Approx(own.value(w) / own.sigma()));
+    const std::vector<double> below{own.value(w) - 1e-6}, above{own.value(w) + 1e-6};
+    CHECK(reaches(std::span(family).subspan(2, 1), below, sequence));
+    CHECK_FALSE(reaches(std::span(family).subspan(2, 1), above, sequence));
 }
 
 TEST_CASE("the family's false-positive probability holds") {

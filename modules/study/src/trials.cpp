@@ -44,7 +44,7 @@ std::vector<detect::LinearStatistic> statistics_of(const watermark::Examination&
     std::vector<detect::LinearStatistic> statistics;
     for (const detect::Hypothesis& h : suspect.family())
         if (h.pose == pose && h.level == level && h.source == detect::Source::vertices)
-            statistics.push_back(h.statistic);
+            statistics.push_back(detect::own_statistic(h));
     return statistics;
 }
 

@@ -26,18 +26,18 @@ Coefficients coefficients(const detect::LinearStatistic& statistic) {
 detect::LinearStatistic content_statistic(std::span<const detect::Hypothesis> family, std::size_t best,
                                           std::span<const double> w) {
     const detect::Hypothesis& found = family[best];
-    std::vector<const detect::LinearStatistic*> seen;
+    std::vector<detect::LinearStatistic> seen;
     for (const detect::Hypothesis& h : family)
         if (h.pose == found.pose && h.level == found.level && h.statistic.sigma() > 0)
-            seen.push_back(&h.statistic);
+            seen.push_back(detect::own_statistic(h));
     if (seen.size() <= 1)
-        return found.statistic;
+        return detect::own_statistic(found);
 
     const auto filters = static_cast<Eigen::Index>(seen.size());
     Eigen::MatrixXd unit(coefficients(found.statistic).size(), filters);
     Eigen::VectorXd t(filters);
     for (Eigen::Index f = 0; f < filters; ++f) {
-        const detect::LinearStatistic& statistic = *seen[static_cast<std::size_t>(f)];
+        const detect::LinearStatistic& statistic = seen[static_cast<std::size_t>(f)];
         const double norm = coefficients(statistic).norm();
         unit.col(f) = coefficients(statistic) / norm;
         t(f) = statistic.value(w) / norm;

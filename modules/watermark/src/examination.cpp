@@ -42,15 +42,6 @@ std::vector<unsigned> usual_levels(std::span<const unsigned> levels, std::size_t
     return usual;
 }
 
-/// c of a pose that a half turn of the sphere makes of this one.
-detect::LinearStatistic permuted(const detect::LinearStatistic& statistic, std::span<const Index> turn) {
-    const std::span<const double> c = statistic.coefficients();
-    std::vector<double> moved(c.size());
-    for (std::size_t j = 0; j < c.size(); ++j)
-        moved[j] = c[turn[j]];
-    return {std::move(moved), statistic.rmax()};
-}
-
 } // namespace
 
 unsigned default_level(const key::PublicParameters& parameters, std::size_t vertices, Profile profile) {
@@ -176,7 +167,7 @@ void Examination::make_family() {
     const std::vector<Leader> leaders = leading_poses();
     std::vector<std::vector<detect::Hypothesis>> of_pose(poses_.size());
     parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
-        if (leaders[pose].pose != pose)
+        if (leaders[pose].axis)
             return;
         add_hypotheses(of_pose[pose], pose, nullptr);
         if (base_vertices_ >= coarse_vertices)
@@ -184,16 +175,22 @@ void Examination::make_family() {
         const detect::CellSamples samples(view(pose).base, cell_samples);
         add_hypotheses(of_pose[pose], pose, &samples);
     });
-    std::optional<std::array<std::vector<Index>, 3>> turns; // not needed by a receipt's pose alone
+    std::array<std::shared_ptr<const std::vector<Index>>, 3> turns;
+    if (std::ranges::any_of(leaders, [](const Leader& l) {
+            return l.axis.has_value();
+        })) // not needed by a receipt's pose alone
+        std::ranges::transform(sphere::half_turns(finest_), turns.begin(), [](std::vector<Index>& turn) {
+            return std::make_shared<const std::vector<Index>>(std::move(turn));
+        });
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
         const Leader& leader = leaders[pose];
-        if (leader.pose == pose)
+        if (!leader.axis)
             continue;
-        if (!turns)
-            turns = sphere::half_turns(finest_);
-        for (const detect::Hypothesis& h : of_pose[leader.pose])
-            of_pose[pose].push_back(
-                {permuted(h.statistic, (*turns)[leader.axis]), h.level, pose, h.filter, h.source});
+        of_pose[pose] = of_pose[leader.pose];
+        for (detect::Hypothesis& h : of_pose[pose]) {
+            h.pose = pose;
+            h.turn = turns[*leader.axis];
+        }
     }
     for (std::vector<detect::Hypothesis>& hypotheses : of_pose)
         std::ranges::move(hypotheses, std::back_inserter(family_));
@@ -204,9 +201,9 @@ void Examination::make_family() {
 std::vector<Examination::Leader> Examination::leading_poses() const {
     std::vector<Leader> leaders;
     for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
-        Leader leader{pose, 0};
-        for (std::size_t other = 0; other < pose && leader.pose == pose; ++other) {
-            if (poses_[other].view != poses_[pose].view || leaders[other].pose != other)
+        Leader leader{pose, std::nullopt};
+        for (std::size_t other = 0; other < pose && !leader.axis; ++other) {
+            if (poses_[other].view != poses_[pose].view || leaders[other].axis)
                 continue;
             if (const auto axis = sphere::half_turn_axis(poses_[pose].turn * poses_[other].turn.transpose()))
                 leader = {other, static_cast<std::size_t>(*axis)};

@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 
 #include <wm3d/detect/linear_statistic.hpp>
+#include <wm3d/mesh/types.hpp>
 
 namespace wm3d::detect {
 
@@ -26,7 +28,13 @@ struct Hypothesis {
     std::size_t pose = 0;   ///< which of the candidate poses
     std::size_t filter = 0; ///< which filter of the bank; a reference has none
     Source source = Source::vertices;
+    /// Where the sphere was turned so that its vertices only changed places: coefficient j counts number (*turn)[j] of the
+    /// sequence. None: number j. Turned hypotheses share their coefficients, and so their distribution.
+    std::shared_ptr<const std::vector<Index>> turn = nullptr;
 };
+
+/// The statistic with its coefficients in the order of the sequence.
+LinearStatistic own_statistic(const Hypothesis& hypothesis);
 
 /// The keyed sequence of a level.
 using SequenceOfLevel = std::function<std::span<const double>(unsigned level)>;

@@ -117,10 +117,11 @@ private:
     void look(View& view, const TriangleMesh& base) const;
     void gather_evidence(const TriangleMesh& base);
     void add_pose(const resync::CandidatePose& candidate);
-    /// A pose whose statistics those of another follow from by a half turn of the sphere; itself if none is.
+    /// A pose that another is a half turn of the sphere away from, so that they share their statistics; itself, and no
+    /// axis, if there is none.
     struct Leader {
         std::size_t pose = 0;
-        std::size_t axis = 0;
+        std::optional<std::size_t> axis;
     };
 
     void make_family();
