@@ -165,6 +165,7 @@ using wm3d::metrics::heat_colours;
 using wm3d::metrics::Msdm2;
 using wm3d::metrics::msdm2_mean;
 using wm3d::metrics::Msdm2Options;
+using wm3d::metrics::Msdm2Patches;
 using wm3d::metrics::Msdm2Sample;
 using wm3d::metrics::OneSidedDistance;
 using wm3d::metrics::Options;

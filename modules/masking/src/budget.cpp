@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace wm3d::masking {
 
@@ -86,17 +87,36 @@ private:
 
 } // namespace
 
-Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options)
-    : mesh_(mesh), options_(options), tree_(mesh), msdm2_(tree_) {}
+Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options) : mesh_(mesh), options_(options) {
+    if (mesh.positions.size() > std::max(options.most_whole, options.most_jumpy)) {
+        patches_.emplace(mesh);
+    } else {
+        tree_.emplace(mesh);
+        msdm2_.emplace(*tree_);
+    }
+}
 
 /// Windows at vertices of the moved mesh, all of them where they are not more.
 metrics::Msdm2Sample Budget::look(const std::vector<Vec3>& positions, std::size_t windows) const {
-    return msdm2_.sample({positions, mesh_.triangles}, windows);
+    return patches_ ? patches_->sample(positions, windows)
+                    : msdm2_->sample({positions, mesh_.triangles}, windows);
+}
+
+/// The same from fewer vertices of each window of a dense mesh, which tells some hundredths more.
+metrics::Msdm2Sample Budget::glance(const std::vector<Vec3>& positions, std::size_t windows) const {
+    return patches_ ? patches_->sample(positions, windows, options_.glance_vertices)
+                    : look(positions, windows);
+}
+
+/// Windows at some vertices.
+metrics::Msdm2Sample Budget::look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const {
+    return patches_ ? patches_->at(positions, std::move(vertices))
+                    : msdm2_->at({std::move(positions), mesh_.triangles}, std::move(vertices));
 }
 
 /// What is seen of small meshes, whose moves can be large beside the box that MSDM2's unit of length follows.
 double Budget::exactly(const std::vector<Vec3>& positions) const {
-    return msdm2_.distance({positions, mesh_.triangles});
+    return msdm2_->distance({positions, mesh_.triangles});
 }
 
 std::size_t Budget::final_windows() const {
@@ -117,7 +137,7 @@ Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return fit_near(mark, budget, guess);
     constexpr double near = 0.03; // of the budget
-    const auto roughly = [&](double strength) { return look(mark(strength), options_.rough_windows).mean; };
+    const auto roughly = [&](double strength) { return glance(mark(strength), options_.rough_windows).mean; };
     const Fit fit = approach(roughly, {guess}, budget, near);
     return fit_near(mark, budget, fit.strength > 0 ? fit.strength : guess);
 }
@@ -142,8 +162,7 @@ Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double 
             return {0, 0, full.evaluations, false};
         const WeightyWindows weighty(all, options_.rough_windows);
         const auto seen = [&](double strength) {
-            return all.mean *
-                   weighty.growth(msdm2_.at({mark(strength), mesh_.triangles}, weighty.vertices()).local);
+            return all.mean * weighty.growth(look_at(mark(strength), weighty.vertices()).local);
         };
         fit = approach(seen, full, budget, options_.tolerance);
         if (!(fit.strength > 0) || std::abs(std::log(fit.strength / full.strength)) <= near)
@@ -190,7 +209,7 @@ double Budget::near_budget(const MarkOfStrength& mark, double budget, double gue
     constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
     double strength = guess;
     for (int k = 0; k < most_looks; ++k) {
-        const double msdm2 = look(mark(strength), options_.rough_windows).mean;
+        const double msdm2 = glance(mark(strength), options_.rough_windows).mean;
         if (!(msdm2 > nothing))
             return 0;
         if (std::abs(msdm2 / budget - 1) <= near)
@@ -210,7 +229,7 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
     const std::vector<Vec3> positions = trial(slightest);
     for (int k = 0; k < most_rounds; ++k) {
         const TriangleMesh marked{held(positions, mesh_.positions, still), mesh_.triangles};
-        const std::vector<double> seen = msdm2_.field(marked);
+        const std::vector<double> seen = msdm2_->field(marked);
         if (metrics::msdm2_mean(marked, seen) <= tolerable * budget)
             break;
         hold_around(still, mesh_, seen, budget / 2);
@@ -226,13 +245,13 @@ double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double 
     double strength = near_budget(mark, budget, guess);
     if (!(strength > 0))
         return 0;
-    metrics::Msdm2Sample seen = look(mark(strength), options_.mask_windows);
+    metrics::Msdm2Sample seen = glance(mark(strength), options_.mask_windows);
     if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(seen.local) > glaring)
         still = places_of_jumps(trial, budget, slightest * guess);
     if (!still.empty()) {
         carriers.silence(still);
         strength = near_budget(mark, budget, guess);
-        seen = look(mark(strength), options_.mask_windows);
+        seen = glance(mark(strength), options_.mask_windows);
     }
     if (!(seen.mean > nothing))
         return 0;

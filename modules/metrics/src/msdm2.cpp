@@ -13,6 +13,7 @@
 
 #include "curvature.hpp"
 #include "edge_graph.hpp"
+#include "msdm2_parts.hpp"
 #include "msdm2_window.hpp"
 
 namespace wm3d::metrics {
@@ -27,28 +28,6 @@ constexpr std::size_t window_block = 256;
 /// Of windows at one in so many vertices, marking what they reach costs less than it saves.
 constexpr std::size_t far_apart = 64;
 
-double longest_side(const TriangleMesh& mesh) {
-    const Box box = surface_box(mesh);
-    return (box.max - box.min).maxCoeff();
-}
-
-PerScale times(double factor, const PerScale& values) {
-    return {factor * values[0], factor * values[1], factor * values[2]};
-}
-
-/// Values at a triangle's corners, each weighted by the area that `p` spans with the side opposite.
-PerScale blend(const TriangleMesh& mesh, Index triangle, const std::vector<PerScale>& values, const Vec3& p) {
-    const Triangle& t = mesh.triangles[triangle];
-    const Vec3 a = mesh.positions[t[0]] - p, b = mesh.positions[t[1]] - p, c = mesh.positions[t[2]] - p;
-    const Vec3 areas(b.cross(c).norm(), c.cross(a).norm(), a.cross(b).norm());
-    const Vec3 weights = areas / areas.sum();
-    PerScale blended{};
-    for (std::size_t k = 0; k < blended.size(); ++k)
-        blended[k] =
-            weights[0] * values[t[0]][k] + weights[1] * values[t[1]][k] + weights[2] * values[t[2]][k];
-    return blended;
-}
-
 /// Numbers of the vertices of triangles, ascending.
 std::vector<Index> used_vertices(const TriangleMesh& mesh, const EdgeGraph& graph) {
     std::vector<Index> used;
@@ -59,16 +38,6 @@ std::vector<Index> used_vertices(const TriangleMesh& mesh, const EdgeGraph& grap
         throw GeometryError("the mesh has no triangle, so there is nothing to see; check that the file holds "
                             "the model that you mean");
     return used;
-}
-
-double minkowski_mean(const std::vector<double>& local, double exponent) {
-    const double sum = parallel_sum(local.size(), vertex_block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            part += std::pow(local[i], exponent);
-        return part;
-    });
-    return std::pow(sum / static_cast<double>(local.size()), 1 / exponent);
 }
 
 } // namespace

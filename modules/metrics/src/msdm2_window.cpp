@@ -8,9 +8,9 @@ namespace wm3d::metrics {
 
 Msdm2Windows::Msdm2Windows(const TriangleMesh& mesh, const EdgeGraph& graph,
                            const std::vector<WindowSample>& samples, const PerScale& radii,
-                           const Msdm2Options& options)
-    : samples_(samples), radii_(radii), options_(options), largest_(*std::ranges::max_element(radii)),
-      walk_(mesh, graph) {
+                           const Msdm2Options& options, const Thinning& thinning)
+    : samples_(samples), radii_(radii), options_(options), thinning_(thinning),
+      largest_(*std::ranges::max_element(radii)), walk_(mesh, graph) {
     for (std::size_t k = 0; k < radii.size(); ++k) {
         const double deviation = options.spread * radii[k];
         decay_[k] = 1 / (2 * deviation * deviation);
@@ -39,8 +39,15 @@ void Msdm2Windows::add_vertex(const WindowSample& centre, Index vertex, double s
 }
 
 void Msdm2Windows::add_crossing(const WindowSample& centre, const OutwardStep& step, std::size_t k) {
-    const WindowSample &u = samples_[step.from], &w = samples_[step.to];
+    const WindowSample& u = samples_[step.from];
     const double share = step.share_within(radii_[k]);
+    if (!thinning_.kept.empty()) { // nothing is known of the outer end
+        const Vec3 match = u.match + share * step.along;
+        sums_[k].add(weight_at_rim_[k], std::exp(-(match - centre.match).squaredNorm() * decay_[k]),
+                     u.c[k] - centre.c[k], u.c_hat[k] - centre.c_hat[k]);
+        return;
+    }
+    const WindowSample& w = samples_[step.to];
     const Vec3 match = u.match + share * (w.match - u.match);
     sums_[k].add(weight_at_rim_[k], std::exp(-(match - centre.match).squaredNorm() * decay_[k]),
                  u.c[k] + share * (w.c[k] - u.c[k]) - centre.c[k],
@@ -50,11 +57,18 @@ void Msdm2Windows::add_crossing(const WindowSample& centre, const OutwardStep& s
 double Msdm2Windows::local_distance(Index vertex) {
     const WindowSample& centre = samples_[vertex];
     sums_ = {};
+    const double itself = 1 / static_cast<double>(thinning_.stride); // where others stand for several
     for (Sums& sums : sums_)
-        sums.add(1, 1, 0, 0); // the centre itself
+        sums.add(itself, itself, 0, 0);
     walk_.from(
-        vertex, largest_, [&](Index q, double square) { add_vertex(centre, q, square); },
+        vertex, largest_,
+        [&](Index q, double square) {
+            if (thinning_.keeps(q))
+                add_vertex(centre, q, square);
+        },
         [&](const OutwardStep& step) {
+            if (!thinning_.keeps(step.from))
+                return;
             for (std::size_t k = 0; k < radii_.size(); ++k)
                 if (step.starts_within(radii_[k]) && !step.ends_within(radii_[k]))
                     add_crossing(centre, step, k);

@@ -2,6 +2,8 @@
 /// \file  Windows of MSDM2: weighted statistics of two curvatures around a vertex.
 #pragma once
 
+#include <span>
+
 #include <wm3d/metrics/msdm2.hpp>
 
 #include "curvature.hpp"
@@ -16,13 +18,21 @@ struct WindowSample {
     PerScale c_hat{};          ///< C^
 };
 
+/// Which vertices stand for all.
+struct Thinning {
+    std::size_t stride = 1;     ///< one in so many does
+    std::span<const char> kept; ///< whether each does, #V; empty where all do
+
+    bool keeps(Index vertex) const { return kept.empty() || kept[vertex] != 0; }
+};
+
 /// Local distances at vertices of one mesh.
 class Msdm2Windows {
 public:
     /// `samples` are those of the vertices, #V, and `radii` the windows' in units of the mesh. All must
     /// outlive the object.
     Msdm2Windows(const TriangleMesh& mesh, const EdgeGraph& graph, const std::vector<WindowSample>& samples,
-                 const PerScale& radii, const Msdm2Options& options);
+                 const PerScale& radii, const Msdm2Options& options, const Thinning& thinning = {});
 
     double local_distance(Index vertex);
 
@@ -42,6 +52,7 @@ private:
     const std::vector<WindowSample>& samples_;
     const PerScale& radii_;
     const Msdm2Options& options_;
+    Thinning thinning_;
     double largest_;
     PerScale decay_{};         ///< 1 / (2 deviation^2)
     PerScale weight_at_rim_{}; ///< w at distance h

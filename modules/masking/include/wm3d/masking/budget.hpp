@@ -4,11 +4,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <wm3d/masking/carriers.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/metrics/msdm2.hpp>
+#include <wm3d/metrics/msdm2_patches.hpp>
 #include <wm3d/metrics/surface_tree.hpp>
 
 namespace wm3d::masking {
@@ -34,7 +36,10 @@ struct BudgetOptions {
     std::size_t most_jumpy = 60'000;  ///< meshes of more vertices are not looked through for jumps
     std::size_t mask_windows = 8'000; ///< of the trial mark that the mask is weighed by
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
-    double sampling_margin = 0.005;  ///< part of the budget that is left where not all are opened
+    /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
+    std::size_t most_whole = 200'000;
+    std::size_t glance_vertices = 128; ///< of a window of such a mesh, while its mask is weighed
+    double sampling_margin = 0.005;   ///< part of the budget that is left where not all are opened
 };
 
 /// The one-sided MSDM2 of marks from the mesh they are for.
@@ -72,6 +77,8 @@ private:
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
 
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
+    metrics::Msdm2Sample glance(const std::vector<Vec3>& positions, std::size_t windows) const;
+    metrics::Msdm2Sample look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const;
     double exactly(const std::vector<Vec3>& positions) const;
     std::size_t final_windows() const;
     Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
@@ -81,8 +88,9 @@ private:
 
     const TriangleMesh& mesh_;
     BudgetOptions options_;
-    metrics::SurfaceTree tree_;
-    metrics::Msdm2 msdm2_;
+    std::optional<metrics::SurfaceTree> tree_;
+    std::optional<metrics::Msdm2> msdm2_;          ///< as a whole
+    std::optional<metrics::Msdm2Patches> patches_; ///< or, if it is dense, in patches
 };
 
 } // namespace wm3d::masking

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <wm3d/metrics/msdm2_patches.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/measure.hpp>
+
+#include "closest_on_triangle.hpp"
+#include "curvature.hpp"
+#include "edge_graph.hpp"
+#include "msdm2_parts.hpp"
+#include "msdm2_window.hpp"
+#include "surface_patches.hpp"
+#include "triangle_boxes.hpp"
+
+namespace wm3d::metrics {
+
+namespace {
+
+/// Cells along the box's longest side, as a power of two: of patches that hold many windows, and of those that hold
+/// about one.
+constexpr int wide_cells = 3, narrow_cells = 5;
+
+/// Windows from which on wide patches take less work than narrow ones.
+constexpr std::size_t many_windows = 2000;
+
+/// What a patch has around its windows, in their radii, besides curvatures' balls and edges across the rim: triangles
+/// that moved vertices lie closest to.
+constexpr double room = 1.1;
+
+/// S times the curvatures of a vertex, in single precision; not a number where they aren't known.
+using Known = std::array<float, std::tuple_size_v<PerScale>>;
+
+double longest_edge(const TriangleMesh& mesh) {
+    double square = 0;
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < t.size(); ++k)
+            square = std::max(square, (mesh.positions[t[k]] - mesh.positions[t[(k + 1) % 3]]).squaredNorm());
+    return std::sqrt(square);
+}
+
+/// The triangles of a vertex of the reference that have an area, as answers to what is closest to a point.
+void improve(NearestTriangle& best, const TriangleMesh& mesh, std::span<const Index> triangles,
+             const Vec3& moved) {
+    for (const Index f : triangles) {
+        const Triangle& t = mesh.triangles[f];
+        const NumberedTriangle numbered{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f};
+        if ((numbered.b - numbered.a).cross(numbered.c - numbered.a).squaredNorm() > 0)
+            best.improve(moved, numbered);
+    }
+}
+
+/// The reference's point that is closest to where a vertex went, as it is found from the vertex's own triangles, and
+/// from those around the nearest corner as long as that comes closer. No triangle where none has an area.
+SurfacePoint match(const TriangleMesh& mesh, const EdgeGraph& graph, Index vertex, const Vec3& moved) {
+    NearestTriangle best;
+    improve(best, mesh, graph.triangles_at(vertex), moved);
+    for (Index around = vertex; best.triangle != no_index;) {
+        const Triangle& t = mesh.triangles[best.triangle];
+        const SurfacePoint at{best.triangle, closest_on_triangle(moved, mesh.positions[t[0]],
+                                                                 mesh.positions[t[1]], mesh.positions[t[2]])};
+        Eigen::Index nearest = 0;
+        at.barycentric.maxCoeff(&nearest);
+        const Index corner = t[static_cast<std::size_t>(nearest)];
+        const double before = best.square;
+        if (corner != around)
+            improve(best, mesh, graph.triangles_at(corner), moved);
+        if (corner == around || !(best.square < before))
+            return at;
+        around = corner;
+    }
+    return {};
+}
+
+/// Vertices that windows look at: their centres, the vertices kept within them and, where all are, those across their
+/// rims.
+std::vector<char> looked_at(const TriangleMesh& moved, const EdgeGraph& graph,
+                            const std::vector<Index>& centres, double radius, const Thinning& thinning) {
+    std::vector<char> wanted(moved.positions.size(), 0);
+    OutwardWalk walk(moved, graph);
+    for (const Index centre : centres) {
+        wanted[centre] = 1;
+        walk.from(
+            centre, radius, [](Index, double) {},
+            [&](const OutwardStep& s) { wanted[s.to] |= static_cast<char>(thinning.keeps(s.to)); });
+    }
+    return wanted;
+}
+
+} // namespace
+
+struct Msdm2Patches::Prepared {
+    const TriangleMesh& reference;
+    Msdm2Options options;
+    SurfacePatches patches;
+    double side;                      ///< S
+    double around = 0;                ///< windows, what a patch has
+    double in_window;                 ///< vertices of the widest, about
+    mutable std::vector<Known> known; ///< of the reference, #V
+
+    Prepared(const TriangleMesh& mesh, const Msdm2Options& chosen);
+
+    PerScale radii() const { return times(side, options.scales); }
+    PerScale curvature_radii() const { return times(side * options.curvature_ratio, options.scales); }
+    double largest_radius() const { return side * *std::ranges::max_element(options.scales); }
+
+    std::vector<Index> used_vertices() const;
+    Msdm2Sample sample(const std::vector<Vec3>& distorted, std::vector<Index> vertices,
+                       std::size_t stride) const;
+    std::vector<double> local(const std::vector<Vec3>& distorted, const VertexGroup& group,
+                              std::size_t stride) const;
+    std::vector<PerScale> curvatures(const SurfacePatch& patch, const Box& box, const EdgeGraph& graph,
+                                     std::span<const char> wanted) const;
+    std::vector<WindowSample> samples(const SurfacePatch& patch, const Box& box, const TriangleMesh& moved,
+                                      const EdgeGraph& graph, std::span<const char> wanted) const;
+    bool recall(Index vertex, PerScale& value) const;
+    PerScale remember(Index vertex, const PerScale& value) const;
+};
+
+Msdm2Patches::Prepared::Prepared(const TriangleMesh& mesh, const Msdm2Options& chosen)
+    : reference(mesh), options(chosen), patches(mesh), side(longest_side(mesh)),
+      known(mesh.positions.size(), Known{NAN, NAN, NAN}) {
+    if (mesh.triangles.empty())
+        throw GeometryError("the mesh has no triangle, so there is nothing to see; check that the file holds "
+                            "the model that you mean");
+    around =
+        (room + options.curvature_ratio) * largest_radius() + std::min(longest_edge(mesh), largest_radius());
+    const double window = std::numbers::pi * largest_radius() * largest_radius();
+    in_window = static_cast<double>(mesh.positions.size()) * std::min(1.0, window / surface_area(mesh));
+}
+
+std::vector<Index> Msdm2Patches::Prepared::used_vertices() const {
+    std::vector<char> used(reference.positions.size(), 0);
+    for (const Triangle& t : reference.triangles)
+        for (const Index v : t)
+            used[v] = 1;
+    std::vector<Index> vertices;
+    for (Index v = 0; v < used.size(); ++v)
+        if (used[v])
+            vertices.push_back(v);
+    return vertices;
+}
+
+/// S times the curvatures of the patch's reference at wanted vertices, #V of the patch. Those whose balls lie in the
+/// patch are the same from any patch, so they are made once.
+std::vector<PerScale> Msdm2Patches::Prepared::curvatures(const SurfacePatch& patch, const Box& box,
+                                                         const EdgeGraph& graph,
+                                                         std::span<const char> wanted) const {
+    const Vec3 ball = Vec3::Constant(options.curvature_ratio * largest_radius());
+    const auto is_whole = [&](std::size_t v) {
+        const Vec3& p = patch.mesh.positions[v];
+        return ((p - ball).array() >= box.min.array()).all() && ((p + ball).array() <= box.max.array()).all();
+    };
+    std::vector<PerScale> values(patch.vertices.size(), PerScale{});
+    std::vector<char> missing(values.size(), 0);
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (wanted[v])
+            missing[v] = static_cast<char>(!is_whole(v) || !recall(patch.vertices[v], values[v]));
+    if (std::ranges::find(missing, 1) == missing.end())
+        return values;
+    const std::vector<PerScale> made =
+        curvature_magnitudes(patch.mesh, graph, edge_angles(patch.mesh, graph), curvature_radii(), missing);
+    for (std::size_t v = 0; v < values.size(); ++v)
+        if (missing[v])
+            values[v] =
+                is_whole(v) ? remember(patch.vertices[v], times(side, made[v])) : times(side, made[v]);
+    return values;
+}
+
+/// Gives the curvature of the reference's vertex, if it is known.
+bool Msdm2Patches::Prepared::recall(Index vertex, PerScale& value) const {
+    for (std::size_t k = 0; k < value.size(); ++k)
+        value[k] = std::atomic_ref(known[vertex][k]).load(std::memory_order_relaxed);
+    return std::ranges::none_of(value, [](double x) { return std::isnan(x); });
+}
+
+/// The value as it will be recalled.
+PerScale Msdm2Patches::Prepared::remember(Index vertex, const PerScale& value) const {
+    PerScale stored{};
+    for (std::size_t k = 0; k < value.size(); ++k) {
+        const auto single = static_cast<float>(value[k]);
+        std::atomic_ref(known[vertex][k]).store(single, std::memory_order_relaxed);
+        stored[k] = single;
+    }
+    return stored;
+}
+
+std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& patch, const Box& box,
+                                                          const TriangleMesh& moved, const EdgeGraph& graph,
+                                                          std::span<const char> wanted) const {
+    std::vector<WindowSample> samples(wanted.size());
+    std::vector<Index> matched(wanted.size(), no_index); // triangles of the reference
+    std::vector<char> corners(wanted.size(), 0);
+    for (Index v = 0; v < wanted.size(); ++v) {
+        if (!wanted[v])
+            continue;
+        const SurfacePoint found = match(patch.mesh, graph, v, moved.positions[v]);
+        matched[v] = found.triangle;
+        if (found.triangle == no_index)
+            continue;
+        samples[v].match = evaluate(patch.mesh, found);
+        for (const Index corner : patch.mesh.triangles[found.triangle])
+            corners[corner] = 1;
+    }
+    const std::vector<PerScale> of_reference = curvatures(patch, box, graph, corners);
+    const std::vector<PerScale> of_moved =
+        curvature_magnitudes(moved, graph, edge_angles(moved, graph), curvature_radii(), wanted);
+    for (std::size_t v = 0; v < wanted.size(); ++v)
+        if (matched[v] != no_index) {
+            samples[v].c = times(side, of_moved[v]);
+            samples[v].c_hat = blend(patch.mesh, matched[v], of_reference, moved.positions[v]);
+        }
+    return samples;
+}
+
+/// Local distances at the vertices of a group, which share a patch.
+std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& distorted,
+                                                  const VertexGroup& group, std::size_t stride) const {
+    const Vec3 margin = Vec3::Constant(around);
+    const Box box{group.box.min - margin, group.box.max + margin};
+    const SurfacePatch patch = patches.within(box);
+    TriangleMesh moved{{}, patch.mesh.triangles};
+    moved.positions.reserve(patch.vertices.size());
+    std::vector<char> kept(stride > 1 ? patch.vertices.size() : 0);
+    for (std::size_t v = 0; v < patch.vertices.size(); ++v) {
+        moved.positions.push_back(distorted[patch.vertices[v]]);
+        if (stride > 1)
+            kept[v] = patch.vertices[v] % stride == 0;
+    }
+    const EdgeGraph graph(patch.mesh);
+    const Thinning thinning{stride, kept};
+    std::vector<Index> centres(group.vertices.size());
+    std::ranges::transform(group.vertices, centres.begin(), [&](Index v) { return patch.local(v); });
+    const std::vector<char> wanted = looked_at(moved, graph, centres, largest_radius(), thinning);
+    const std::vector<WindowSample> of_vertices = samples(patch, box, moved, graph, wanted);
+    const PerScale radii = this->radii();
+    Msdm2Windows windows(moved, graph, of_vertices, radii, options, thinning);
+    std::vector<double> local(centres.size());
+    for (std::size_t i = 0; i < local.size(); ++i)
+        local[i] = windows.local_distance(centres[i]);
+    return local;
+}
+
+Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, std::vector<Index> vertices,
+                                           std::size_t stride) const {
+    Msdm2Sample sample;
+    sample.vertices = std::move(vertices);
+    sample.local.resize(sample.vertices.size());
+    const std::vector<VertexGroup> groups = groups_of(
+        reference, sample.vertices, sample.vertices.size() < many_windows ? narrow_cells : wide_cells);
+    parallel_tasks(groups.size(), [&](std::size_t g) {
+        const std::vector<double> local = this->local(distorted, groups[g], stride);
+        for (std::size_t i = 0; i < local.size(); ++i) {
+            const auto at = std::ranges::lower_bound(sample.vertices, groups[g].vertices[i]);
+            sample.local[static_cast<std::size_t>(at - sample.vertices.begin())] = local[i];
+        }
+    });
+    sample.mean = minkowski_mean(sample.local, options.exponent);
+    return sample;
+}
+
+Msdm2Patches::Msdm2Patches(const TriangleMesh& reference, const Msdm2Options& options)
+    : prepared_(std::make_unique<Prepared>(reference, options)) {}
+
+Msdm2Patches::~Msdm2Patches() = default;
+Msdm2Patches::Msdm2Patches(Msdm2Patches&&) noexcept = default;
+Msdm2Patches& Msdm2Patches::operator=(Msdm2Patches&&) noexcept = default;
+
+Msdm2Sample Msdm2Patches::sample(const std::vector<Vec3>& distorted, std::size_t windows,
+                                 std::size_t window_vertices) const {
+    const std::vector<Index> used = prepared_->used_vertices();
+    const std::size_t step = (used.size() + windows - 1) / windows;
+    std::vector<Index> some;
+    for (std::size_t i = 0; i < used.size(); i += step)
+        some.push_back(used[i]);
+    return prepared_->sample(distorted, std::move(some), stride(window_vertices));
+}
+
+Msdm2Sample Msdm2Patches::at(const std::vector<Vec3>& distorted, std::vector<Index> vertices,
+                             std::size_t window_vertices) const {
+    return prepared_->sample(distorted, std::move(vertices), stride(window_vertices));
+}
+
+std::size_t Msdm2Patches::stride(std::size_t window_vertices) const {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(prepared_->in_window) / window_vertices);
+}
+
+} // namespace wm3d::metrics
