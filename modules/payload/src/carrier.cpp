@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,6 +18,10 @@ std::uint64_t stream_index(unsigned level, Format format) {
     return 16 * std::uint64_t{level} + static_cast<std::uint64_t>(format);
 }
 
+std::size_t coded_bits_of(Format format) {
+    return format == Format::bits128 ? 1024 : 512;
+}
+
 } // namespace
 
 double sign_height(double rmax) {
@@ -25,11 +29,11 @@ double sign_height(double rmax) {
 }
 
 PolarCode code_of(Format format) {
-    return PolarCode(format == Format::bits128 ? 1024 : 512, frame_size(format));
+    return PolarCode(coded_bits_of(format), frame_size(format));
 }
 
 Carrier::Carrier(const key::Secret& secret, unsigned level, Format format)
-    : format_(format), coded_bits_(code_of(format).length()) {
+    : format_(format), coded_bits_(coded_bits_of(format)) {
     if (level > key::max_level)
         throw ParameterError(
             fmt::format("level {} is too fine for a watermarking sphere; choose one from 0 to {}", level,
@@ -43,12 +47,13 @@ Carrier::Carrier(const key::Secret& secret, unsigned level, Format format)
         sign_.push_back(word >> 63 ? -1 : 1);
     // In the random order of `rank` the coded bits take turns, so each has as many vertices as any other,
     // anywhere.
-    std::vector<std::uint32_t> order(n);
-    std::iota(order.begin(), order.end(), 0u);
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t j) { return rank[j]; });
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(n);
+    for (std::uint32_t j = 0; j < n; ++j)
+        order[j] = {rank[j], j};
+    std::ranges::sort(order);
     bit_.resize(n);
     for (std::size_t k = 0; k < n; ++k)
-        bit_[order[k]] = static_cast<std::uint32_t>(k % coded_bits_);
+        bit_[order[k].second] = static_cast<std::uint32_t>(k % coded_bits_);
 }
 
 std::vector<double> Carrier::modulated(std::span<const std::uint8_t> coded, double height) const {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
+#include <functional>
+#include <utility>
 
 #include <wm3d/core/error.hpp>
 
@@ -25,7 +26,7 @@ double polarization_weight(std::size_t position) {
 /// log of how much likelier the sum of two bits is 0 than 1.
 double sum_llr(double a, double b) {
     const double least = std::copysign(std::min(std::abs(a), std::abs(b)), a * b);
-    return least + std::log1p(std::exp(-std::abs(a + b))) - std::log1p(std::exp(-std::abs(a - b)));
+    return least + std::log((1 + std::exp(-std::abs(a + b))) / (1 + std::exp(-std::abs(a - b))));
 }
 
 /// Cost of deciding for a bit: log(1 + exp(-llr)) for 0, log(1 + exp(llr)) for 1.
@@ -66,17 +67,14 @@ struct Path {
 
     /// Takes bit i for decided and combines the children that it completes.
     void decide(std::size_t i, std::uint8_t bit) {
-        std::vector<std::uint8_t> done{bit};
-        std::size_t size = 1;
-        for (; i & size; size *= 2) {
-            done.resize(2 * size);
+        const std::size_t whole = std::size_t{1} << std::countr_one(i); // size of the node that it completes
+        const std::span<std::uint8_t> done = std::span(left).subspan(whole, whole);
+        done[0] = bit;
+        for (std::size_t size = 1; size < whole; size *= 2)
             for (std::size_t k = 0; k < size; ++k) {
                 done[size + k] = done[k];
                 done[k] ^= left[size + k];
             }
-        }
-        if (size < left.size() / 2)
-            std::ranges::copy(done, left.begin() + static_cast<std::ptrdiff_t>(size));
     }
 };
 
@@ -95,10 +93,14 @@ void branch(std::vector<Path>& paths, std::size_t i, std::size_t list) {
     }
     std::ranges::stable_sort(choices, {}, &Choice::cost);
     choices.resize(std::min(list, choices.size()));
+    std::vector<std::size_t> uses(paths.size(), 0);
+    for (const Choice& choice : choices)
+        ++uses[choice.path];
     std::vector<Path> kept;
     kept.reserve(choices.size());
     for (const Choice& choice : choices) {
-        kept.push_back(paths[choice.path]);
+        Path& path = paths[choice.path];
+        kept.push_back(--uses[choice.path] == 0 ? std::move(path) : path);
         kept.back().cost = choice.cost;
         kept.back().bits.push_back(choice.bit);
         kept.back().decide(i, choice.bit);
@@ -113,11 +115,12 @@ PolarCode::PolarCode(std::size_t length, std::size_t information)
     if (!std::has_single_bit(length) || information > length)
         throw ParameterError(
             "a polar code needs a length that is a power of two and no more information than that");
-    std::vector<std::size_t> positions(length);
-    std::iota(positions.begin(), positions.end(), std::size_t{0});
-    std::ranges::sort(positions, std::greater{}, polarization_weight);
+    std::vector<std::pair<double, std::size_t>> positions(length);
+    for (std::size_t i = 0; i < length; ++i)
+        positions[i] = {polarization_weight(i), i};
+    std::ranges::sort(positions, std::greater{});
     for (std::size_t k = 0; k < information; ++k)
-        frozen_[positions[k]] = 0;
+        frozen_[positions[k].second] = 0;
 }
 
 std::vector<std::uint8_t> PolarCode::encode(std::span<const std::uint8_t> bits) const {

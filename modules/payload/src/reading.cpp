@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/tail.hpp>
 #include <wm3d/payload/carrier.hpp>
 
@@ -77,18 +78,19 @@ std::optional<Reading> read_payload(const key::Secret& secret, unsigned level,
     // distribution.
     const detect::LinearStatistic signs({c.begin(), c.end()}, sign_height(statistic.rmax()),
                                         detect::Law::sign);
-    std::optional<Reading> best;
-    for (const Format format : formats) {
-        std::optional<Reading> reading = read_format(Carrier(secret, level, format), c, options);
-        if (!reading)
-            continue;
-        reading->log10_p =
-            std::min(0.0, detect::exact_tail(signs, reading->sigmas * signs.sigma()).log10_p +
-                              log10_messages(format) + std::log10(static_cast<double>(formats.size())));
-        if (!best || reading->log10_p < best->log10_p)
-            best = std::move(reading);
-    }
-    return best;
+    std::vector<std::optional<Reading>> readings(formats.size());
+    parallel_blocks(formats.size(), 1, [&](std::size_t f, std::size_t) {
+        std::optional<Reading>& reading = readings[f];
+        reading = read_format(Carrier(secret, level, formats[f]), c, options);
+        if (reading)
+            reading->log10_p = std::min(
+                0.0, detect::exact_tail(signs, reading->sigmas * signs.sigma()).log10_p +
+                         log10_messages(formats[f]) + std::log10(static_cast<double>(formats.size())));
+    });
+    const auto log10_p = [](const std::optional<Reading>& reading) {
+        return reading ? reading->log10_p : 1.0;
+    };
+    return *std::ranges::min_element(readings, {}, log10_p);
 }
 
 std::vector<double> soft_values(const key::Secret& secret, unsigned level, Format format,

@@ -131,7 +131,12 @@ std::string_view describe(Ambiguity ambiguity) {
 
 Hierarchy make_hierarchy(const TriangleMesh& mesh, const TriangleMesh& base, const HierarchyOptions& options,
                          const Progress& progress) {
-    Hierarchy hierarchy{shape_moments(mesh), {}};
+    return make_hierarchy(shape_moments(mesh), mesh, base, options, progress);
+}
+
+Hierarchy make_hierarchy(const ShapeMoments& moments, const TriangleMesh& mesh, const TriangleMesh& base,
+                         const HierarchyOptions& options, const Progress& progress) {
+    Hierarchy hierarchy{moments, {}};
     const auto add = [&](TriangleMesh level) {
         ShapeMoments moments = shape_moments(level);
         hierarchy.coarser.push_back({std::move(level), std::move(moments)});
@@ -157,14 +162,19 @@ FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
 
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const Hierarchy& hierarchy, Substance substance,
                              const HierarchyOptions& options) {
+    return estimate_frame(principal_frame(mesh, hierarchy.moments.of(substance)), mesh.positions.size(),
+                          hierarchy, substance, options);
+}
+
+FrameEstimate estimate_frame(const Frame& finest, std::size_t vertices, const Hierarchy& hierarchy,
+                             Substance substance, const HierarchyOptions& options) {
     FrameEstimate estimate;
     estimate.substance = substance;
-    const CentralMoments moments = hierarchy.moments.of(substance);
-    estimate.finest = principal_frame(mesh, moments);
-    const Mat3& covariance = moments.covariance;
+    estimate.finest = finest;
+    const Mat3 covariance = hierarchy.moments.of(substance).covariance;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
     estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
-    estimate.levels.push_back({mesh.positions.size(), estimate.finest, 0});
+    estimate.levels.push_back({vertices, estimate.finest, 0});
     for (const Hierarchy::Level& level : hierarchy.coarser)
         estimate.levels.push_back(level_of(level, estimate, covariance));
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
 #include <wm3d/search/flats.hpp>
@@ -57,7 +56,10 @@ double weight(const BorderLoop& loop) {
 } // namespace
 
 Outline outline(const TriangleMesh& mesh) {
-    const ShapeMoments moments = shape_moments(mesh);
+    return outline(mesh, shape_moments(mesh));
+}
+
+Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments) {
     const bool encloses = moments.solid.sphericity > 0.003; // the cone to the centroid closes what was cut
     Outline result;
     result.centroid = encloses ? moments.solid.centroid : moments.surface.centroid;

@@ -225,7 +225,7 @@ BenchItem ModelBench::item(const ItemName& name, const TriangleMesh& marked) con
     // Of the key and the attack alone: models and sizes suffer the same noise, as far as they can.
     const std::uint64_t seed = seed_of(setting_.seed, name.attack + '/' + std::to_string(name.mark.key));
     const TriangleMesh mesh = attack::apply(marked, chain, seed);
-    const watermark::Suspect suspect = watermark::simplify_suspect(mesh, setting_.vertices);
+    const watermark::Suspect suspect = watermark::prepare_suspect(mesh, setting_.vertices);
     const watermark::Examination examination(
         suspect, watermark::examination_options(setting_.parameters, setting_.vertices));
     const key::Secret secret = key::null_secret(setting_.seed, name.mark.key);

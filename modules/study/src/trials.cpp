@@ -100,7 +100,7 @@ TrialBench::TrialBench(const TriangleMesh& mesh, TrialSetting setting, const Pro
                         "it; choose one of them",
                         fmt::join(setting_.parameters.levels, ", "), setting_.level));
     const Frame frame = canonical_frame(mesh);
-    const watermark::Suspect simplified = watermark::simplify_suspect(mesh, setting_.vertices, progress);
+    const watermark::Suspect simplified = watermark::prepare_suspect(mesh, setting_.vertices, progress);
     simplified_ = to_frame(simplified.base, frame).positions;
     const watermark::Examination unharmed(
         simplified, watermark::examination_options(setting_.parameters, setting_.vertices), progress);

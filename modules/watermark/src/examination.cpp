@@ -8,9 +8,7 @@
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
-#include <wm3d/resync/smoothing_trend.hpp>
 #include <wm3d/sphere/half_turns.hpp>
-#include <wm3d/watermark/pieces.hpp>
 
 namespace wm3d::watermark {
 
@@ -19,8 +17,6 @@ namespace {
 /// A suspect of fewer vertices may have been simplified with new places for its vertices.
 constexpr std::size_t coarse_vertices = 6000;
 constexpr std::size_t cell_samples = 30000;
-/// Parts by themselves keep three vertices at least, so of a cloud of triangles nothing can be simplified away.
-constexpr std::size_t most_base_vertices = 60'000;
 constexpr double least_telling = 0.5; ///< part of a surface
 
 std::vector<Vec3> turned(std::vector<Vec3> directions, const Mat3& turn) {
@@ -59,16 +55,10 @@ ExaminationOptions examination_options(const key::PublicParameters& parameters, 
     return options;
 }
 
-Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress) {
-    simplify::Options options;
-    options.target_vertices = vertices;
-    simplify::Result simplified = simplify::simplify(mesh, options, progress);
-    LargestParts parts = largest_parts(std::move(simplified.mesh), std::max(vertices, most_base_vertices));
-    return {mesh, std::move(parts.mesh), simplified.stop, parts.telling};
-}
-
 Examination::Examination(const TriangleMesh& suspect, ExaminationOptions options, const Progress& progress)
-    : Examination(simplify_suspect(suspect, options.vertices, progress), options, progress) {}
+    : Examination(options.resync == Resync::pca ? prepare_suspect(suspect, options.vertices, progress)
+                                                : simplify_suspect(suspect, options.vertices, progress),
+                  options, progress) {}
 
 Examination::Examination(const Suspect& suspect, ExaminationOptions options, const Progress& progress)
     : options_(std::move(options)),
@@ -106,24 +96,28 @@ void Examination::gather_evidence(const TriangleMesh& base) {
                 first.evidence->seen_from(first.frame.to_canonical(view.frame.centroid)));
 }
 
+/// The evidence about the first centre waits for no coarser mesh.
+resync::Hierarchy Examination::first_look(const Suspect& suspect, const WholeSurface& whole,
+                                          const Progress& progress) {
+    View& first = views_[view_of(whole.axes.front().frame)];
+    resync::Hierarchy hierarchy;
+    parallel_invoke(
+        [&] { hierarchy = resync::make_hierarchy(whole.moments, suspect.mesh, suspect.base, {}, progress); },
+        [&] { look(first, suspect.base); });
+    return hierarchy;
+}
+
 void Examination::add_principal_poses(const Suspect& suspect, const Progress& progress) {
-    const resync::Hierarchy hierarchy = resync::make_hierarchy(suspect.mesh, suspect.base, {}, progress);
-    for (Substance substance : hierarchy.moments.possible_substances()) {
-        const resync::FrameEstimate estimate = resync::estimate_frame(suspect.mesh, hierarchy, substance);
+    const std::shared_ptr<const WholeSurface> whole = suspect.whole_surface();
+    const resync::Hierarchy hierarchy = first_look(suspect, *whole, progress);
+    for (const WholeSurface::Axes& axes : whole->axes) {
+        const resync::FrameEstimate estimate =
+            resync::estimate_frame(axes.frame, suspect.mesh.positions.size(), hierarchy, axes.substance);
         ambiguity_ = std::max(ambiguity_, estimate.ambiguity);
         moment_gap_ = std::min(moment_gap_, resync::least_gap(estimate.moments));
         for (const resync::CandidatePose& candidate : resync::candidate_poses(estimate))
             add_pose(candidate);
-        std::vector<resync::CandidatePose> before_smoothing;
-        parallel_invoke( // the evidence about the first centre waits for no other
-            [&] {
-                before_smoothing = resync::frames_before_smoothing(suspect.mesh, estimate.finest, substance);
-            },
-            [&] {
-                if (!views_.front().evidence)
-                    look(views_.front(), suspect.base);
-            });
-        for (const resync::CandidatePose& before : before_smoothing)
+        for (const resync::CandidatePose& before : axes.before_smoothing)
             for (const Frame& choice : sign_choices(before.frame))
                 add_pose({choice, before.origin, before.likely});
     }
@@ -142,16 +136,19 @@ void Examination::make_poses(const Suspect& suspect, const Progress& progress) {
             "suspect's own axes tell it");
 }
 
-void Examination::add_pose(const resync::CandidatePose& candidate) {
-    const Frame& frame = candidate.frame;
-    const auto shares_centre_and_scale = [&](const View& view) {
+std::size_t Examination::view_of(const Frame& frame) {
+    const auto found = std::ranges::find_if(views_, [&](const View& view) {
         return view.frame.centroid == frame.centroid && view.frame.scale == frame.scale;
-    };
-    const auto found = std::ranges::find_if(views_, shares_centre_and_scale);
-    Pose pose{candidate, static_cast<std::size_t>(found - views_.begin()), Mat3::Identity()};
+    });
+    const auto number = static_cast<std::size_t>(found - views_.begin());
     if (found == views_.end())
         views_.push_back({frame, {}, nullptr});
-    pose.turn = frame.axes * views_[pose.view].frame.axes.transpose();
+    return number;
+}
+
+void Examination::add_pose(const resync::CandidatePose& candidate) {
+    Pose pose{candidate, view_of(candidate.frame), Mat3::Identity()};
+    pose.turn = candidate.frame.axes * views_[pose.view].frame.axes.transpose();
     poses_.push_back(std::move(pose));
 }
 

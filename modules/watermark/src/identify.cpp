@@ -85,7 +85,7 @@ detect::LinearStatistic content(const TriangleMesh& suspect, const VerifyReport&
 IdentifyReport identify(const TriangleMesh& suspect, const key::Key& key, std::span<const IssuedCopy> copies,
                         const IdentifyOptions& options, const Progress& progress) {
     IdentifyReport report;
-    look_for_mark(report, simplify_suspect(suspect, options.verify.vertices, progress), key, options,
+    look_for_mark(report, prepare_suspect(suspect, options.verify.vertices, progress), key, options,
                   progress);
     report.content = content(suspect, report.mark, key, progress);
     std::vector<std::uint64_t> numbers;

@@ -80,7 +80,7 @@ bool lost_in_storage(const MarkedModel& result, const TriangleMesh& mesh, const 
     if (result.coordinate_step < nothing * result.marked.distortion.normal_rms)
         return false;
     const TriangleMesh in_memory{result.marked.positions, mesh.triangles};
-    return self_check(simplify_suspect(in_memory, check.vertices), result.marked, key, check, progress)
+    return self_check(prepare_suspect(in_memory, check.vertices), result.marked, key, check, progress)
                .verdict == detect::Verdict::present;
 }
 
@@ -93,7 +93,7 @@ bool would_do(const io::Model& model, const Marker& marker, const key::Key& key,
             model.patched_files(marked.positions, options.output_name, options.normals);
         const io::Model written = model.read_back(files);
         const VerifyReport report =
-            self_check(simplify_suspect(written.mesh(), check.vertices), marked, key, check, progress);
+            self_check(prepare_suspect(written.mesh(), check.vertices), marked, key, check, progress);
         return report.verdict == detect::Verdict::present && is_readable(report, key, options.mark);
     } catch (const TooVisible&) {
         return false;
@@ -276,7 +276,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         written = model.read_back(result.files);
     }
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
-    const Suspect suspect = simplify_suspect(written.mesh(), check.vertices, progress);
+    const Suspect suspect = prepare_suspect(written.mesh(), check.vertices, progress);
     const Marked& marked = result.marked;
     std::vector<Rehearsed> rehearsed;
     parallel_invoke(

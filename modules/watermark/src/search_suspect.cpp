@@ -368,11 +368,11 @@ SearchResult SuspectSearch::run() {
     const std::vector<TriangleMesh> parts = pieces(suspect_.mesh);
     std::vector<Suspect> suspects;
     for (const TriangleMesh& part : parts)
-        suspects.push_back(simplify_suspect(part, seen_.options().vertices, progress_));
+        suspects.push_back(prepare_suspect(part, seen_.options().vertices, progress_));
     std::vector<Piece> order;
     for (std::size_t k = 0; k < suspects.size(); ++k)
-        order.push_back({&suspects[k], search::outline(suspects[k].mesh), k});
-    const search::Outline outline = search::outline(suspect_.mesh);
+        order.push_back({&suspects[k], suspects[k].whole_surface()->outline, k});
+    const search::Outline outline = suspect_.whole_surface()->outline;
     order.push_back({&suspect_, outline, {}, extent(outline, seen_)});
     piece_count_ = order.size();
     result_.report.pieces = order.size();

@@ -165,18 +165,14 @@ void settle(VerifyReport& report, resync::Ambiguity ambiguity) {
         report.verdict = detect::Verdict::inconclusive;
 }
 
-void decide(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequences& sequences,
-            const VerifyOptions& options) {
-    const detect::Hypothesis& best = all.family[report.score.best.hypothesis];
-    if (options.detector == Detector::paper) {
-        decide_paper(report, all.suspect, key, sequences, options);
-    } else {
-        report.by_difference = best.source == detect::Source::reference;
-        if (!report.by_difference)
-            report.filter = all.suspect.evidence().filter(best.filter);
-        decide_whitened(report, all.suspect, key, sequences, options);
-    }
-    settle(report, all.ambiguity);
+/// The payload where the common part shows best: that was chosen without a look at the payload's streams.
+std::optional<payload::Reading> read_payload(const VerifyReport& report, const key::Key& key,
+                                             const VerifyOptions& options) {
+    if (!options.read_payload)
+        return {};
+    std::optional<payload::Reading> reading =
+        payload::read_payload(key.secret(), report.level, report.statistic);
+    return reading && reading->log10_p <= std::log10(options.pf) ? reading : std::nullopt;
 }
 
 /// The report on the best hypothesis of a family whose score is known.
@@ -189,8 +185,24 @@ void tell(VerifyReport& report, const Hypotheses& all, const key::Key& key, Sequ
     report.pose = best.pose;
     report.pose_origin = all.suspect.pose(best.pose).origin;
     report.frame = all.suspect.pose(best.pose).frame;
-    report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
-    decide(report, all, key, sequences, options);
+    const auto read_as_paper = [&] {
+        report.paper = paper_report(all.suspect, best.pose, best.level, sequences, options.pf);
+    };
+    if (options.detector == Detector::paper) {
+        read_as_paper();
+        decide_paper(report, all.suspect, key, sequences, options);
+    } else {
+        report.by_difference = best.source == detect::Source::reference;
+        if (!report.by_difference)
+            report.filter = all.suspect.evidence().filter(best.filter);
+        parallel_invoke([&] { report.payload = read_payload(report, key, options); },
+                        [&] {
+                            parallel_invoke(read_as_paper, [&] {
+                                decide_whitened(report, all.suspect, key, sequences, options);
+                            });
+                        });
+    }
+    settle(report, all.ambiguity);
 }
 
 /// Whether the suspect is looked at twice where the first look finds nothing.
@@ -269,16 +281,6 @@ void search_further(VerifyReport& report, const Suspect& suspect, const Hypothes
     }
 }
 
-/// The payload where the common part shows best: that was chosen without a look at the payload's streams.
-std::optional<payload::Reading> read_payload(const VerifyReport& report, const key::Key& key,
-                                             const VerifyOptions& options) {
-    if (options.detector == Detector::paper || !options.read_payload)
-        return {};
-    std::optional<payload::Reading> reading =
-        payload::read_payload(key.secret(), report.level, report.statistic);
-    return reading && reading->log10_p <= std::log10(options.pf) ? reading : std::nullopt;
-}
-
 void require_effort(const VerifyOptions& options) {
     if (!(options.effort >= 0))
         throw ParameterError("the effort of a search can't be negative; 1 is the usual one, 0 is none");
@@ -289,17 +291,17 @@ void require_effort(const VerifyOptions& options) {
 VerifyReport verify(const TriangleMesh& mesh, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
     require_effort(options);
-    return verify(simplify_suspect(mesh, options.vertices, progress), key, options, progress);
+    return verify(prepare_suspect(mesh, options.vertices, progress), key, options, progress);
 }
 
 VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOptions& options,
                     const Progress& progress) {
     require_effort(options);
-    std::optional<Hypotheses> examined;
-    search::Outline outline;
-    parallel_invoke([&] { outline = search::outline(suspect.mesh); },
-                    [&] { examined.emplace(hypotheses(suspect, key, options, progress)); });
-    const Hypotheses& all = *examined;
+    if (!suspect.whole)
+        return verify({suspect.mesh, suspect.base, suspect.stop, suspect.telling, suspect.whole_surface()},
+                      key, options, progress);
+    const search::Outline outline = suspect.whole_surface()->outline;
+    const Hypotheses all = hypotheses(suspect, key, options, progress);
     Sequences sequences(key.secret(), key.parameters().rmax);
 
     VerifyReport report;
@@ -318,7 +320,6 @@ VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOpt
     }
     if (may_search(options) && report.verdict != detect::Verdict::present)
         search_further(report, suspect, all, key, sequences, options, progress);
-    report.payload = read_payload(report, key, options);
     if (options.null_keys > 0)
         report.null = null_report(all, closer ? &*closer : nullptr, suspect, options, progress);
     return report;

@@ -16,4 +16,5 @@
 #include <wm3d/watermark/rehearsal.hpp>
 #include <wm3d/watermark/search_suspect.hpp>
 #include <wm3d/watermark/sequences.hpp>
+#include <wm3d/watermark/suspect.hpp>
 #include <wm3d/watermark/verify.hpp>

@@ -69,6 +69,10 @@ struct Hierarchy {
 Hierarchy make_hierarchy(const TriangleMesh& mesh, const TriangleMesh& base,
                          const HierarchyOptions& options = {}, const Progress& progress = {});
 
+/// The same of a mesh whose moments are known.
+Hierarchy make_hierarchy(const ShapeMoments& moments, const TriangleMesh& mesh, const TriangleMesh& base,
+                         const HierarchyOptions& options = {}, const Progress& progress = {});
+
 /// Estimates the frame of a mesh from its own exact moments and those of its coarser levels.
 /// \param mesh  the mesh
 /// \param base  a simplified version of it, from which the coarser levels are made
@@ -79,6 +83,12 @@ FrameEstimate estimate_frame(const TriangleMesh& mesh, const TriangleMesh& base,
 /// The same for one substance of a mesh whose hierarchy is known.
 FrameEstimate estimate_frame(const TriangleMesh& mesh, const Hierarchy& hierarchy, Substance substance,
                              const HierarchyOptions& options = {});
+
+/// The same where its principal frame is known.
+/// \param finest    canonical_frame of the mesh as this substance
+/// \param vertices  of the mesh
+FrameEstimate estimate_frame(const Frame& finest, std::size_t vertices, const Hierarchy& hierarchy,
+                             Substance substance, const HierarchyOptions& options = {});
 
 struct CandidateOptions {
     double step = 1.0;     ///< between neighbouring turns, in degrees: the detector bears half of it

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 
 namespace wm3d::search {
@@ -26,6 +27,9 @@ struct Outline {
 
 /// \throw GeometryError  if the mesh has no area
 Outline outline(const TriangleMesh& mesh);
+
+/// The same of a mesh whose moments are known.
+Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments);
 
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid

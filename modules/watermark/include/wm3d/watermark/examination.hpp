@@ -17,10 +17,10 @@
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/resync/candidate_pose.hpp>
 #include <wm3d/resync/hierarchical_frame.hpp>
-#include <wm3d/simplify/simplify.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 #include <wm3d/watermark/defaults.hpp>
 #include <wm3d/watermark/sequences.hpp>
+#include <wm3d/watermark/suspect.hpp>
 
 namespace wm3d::watermark {
 
@@ -43,17 +43,6 @@ struct ExaminationOptions {
 
 /// What a key with these parameters asks for.
 ExaminationOptions examination_options(const key::PublicParameters& parameters, std::size_t vertices);
-
-/// A suspect and its base mesh, both in the suspect's own coordinates. The mesh has to outlive it.
-struct Suspect {
-    const TriangleMesh& mesh;
-    TriangleMesh base;
-    simplify::Stop stop = simplify::Stop::reached;
-    double telling = 1; ///< part of its surface that is in the base and can show a mark: LargestParts
-};
-
-/// Of a mesh of so many parts that simplification leaves more than 60,000 vertices, the largest parts are kept.
-Suspect simplify_suspect(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress = {});
 
 /// Everything about a suspect that no key is needed for. Poses share the evidence as far as they can.
 class Examination {
@@ -113,9 +102,11 @@ private:
     const View& view(std::size_t pose) const { return views_[poses_[pose].view]; }
     std::vector<sphere::SparseRows> rows(std::size_t pose, std::span<const unsigned> levels) const;
     void make_poses(const Suspect& suspect, const Progress& progress);
+    resync::Hierarchy first_look(const Suspect& suspect, const WholeSurface& whole, const Progress& progress);
     void add_principal_poses(const Suspect& suspect, const Progress& progress);
     void look(View& view, const TriangleMesh& base) const;
     void gather_evidence(const TriangleMesh& base);
+    std::size_t view_of(const Frame& frame);
     void add_pose(const resync::CandidatePose& candidate);
     /// A pose that another is a half turn of the sphere away from, so that they share their statistics; itself, and no
     /// axis, if there is none.

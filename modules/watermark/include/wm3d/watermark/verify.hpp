@@ -102,7 +102,7 @@ struct VerifyReport {
 VerifyReport verify(const TriangleMesh& suspect, const key::Key& key, const VerifyOptions& options = {},
                     const Progress& progress = {});
 
-/// The same for a suspect whose base mesh, of `options.vertices`, is known.
+/// The same for a suspect that was prepared, its base mesh of `options.vertices`.
 VerifyReport verify(const Suspect& suspect, const key::Key& key, const VerifyOptions& options = {},
                     const Progress& progress = {});
 
