@@ -15,33 +15,41 @@ constexpr double whitening_tolerance = 1e-2;
 constexpr int most_steps = 500;
 
 /// D^-1/2 (I + sigma^2 J^T diag(g) J) D^-1/2 with D the diagonal of the middle, so that its own is 1: weights of the
-/// hinges lie decades apart.
+/// hinges lie decades apart. Kept as D^-1 + A^T A.
 class Whitening {
 public:
+    /// \param weights  g
     Whitening(const Hinges& hinges, std::vector<double> weights, double noise)
-        : hinges_(hinges), weights_(std::move(weights)) {
-        for (double& g : weights_)
+        : ends_(hinges.ends()), rows_(hinges.couplings().begin(), hinges.couplings().end()) {
+        for (double& g : weights)
             g *= noise * noise;
-        scale_ = hinges.squares(weights_);
+        scale_ = hinges.squares(weights);
         for (double& s : scale_)
             s = 1 / std::sqrt(1 + s);
+        for (std::size_t h = 0; h < rows_.size(); ++h) {
+            const double root = std::sqrt(weights[h]);
+            for (std::size_t k = 0; k < 4; ++k)
+                rows_[h][k] *= root * scale_[ends_[h][k]];
+        }
     }
 
     double diagonal(std::size_t) const { return 1; }
 
     std::array<double, 1> times(const Together<1>& x, Together<1>& y) const {
-        std::vector<double> moves(x.size());
         for (std::size_t i = 0; i < x.size(); ++i)
-            moves[i] = scale_[i] * x[i][0];
-        std::vector<double> folds = hinges_.folds_of(moves);
-        for (std::size_t h = 0; h < folds.size(); ++h)
-            folds[h] *= weights_[h];
-        const std::vector<double> back = hinges_.transposed(folds);
+            y[i][0] = scale_[i] * scale_[i] * x[i][0];
         double product = 0;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            y[i][0] = scale_[i] * (moves[i] + back[i]);
-            product += x[i][0] * y[i][0];
+        for (std::size_t h = 0; h < rows_.size(); ++h) {
+            const auto& [a, b, c, d] = ends_[h];
+            const std::array<double, 4>& row = rows_[h];
+            const double fold = (row[0] * x[a][0] + row[1] * x[b][0]) + (row[2] * x[c][0] + row[3] * x[d][0]);
+            y[a][0] += row[0] * fold;
+            y[b][0] += row[1] * fold;
+            y[c][0] += row[2] * fold;
+            y[d][0] += row[3] * fold;
         }
+        for (std::size_t i = 0; i < x.size(); ++i)
+            product += x[i][0] * y[i][0];
         return {product};
     }
 
@@ -57,9 +65,9 @@ public:
     }
 
 private:
-    const Hinges& hinges_;
-    std::vector<double> weights_; ///< sigma^2 g
-    std::vector<double> scale_;   ///< D^-1/2
+    std::span<const std::array<Index, 4>> ends_;
+    std::vector<std::array<double, 4>> rows_; ///< A = sigma diag(g)^1/2 J D^-1/2
+    std::vector<double> scale_;               ///< D^-1/2
 };
 
 class HingeResidual : public Residual {
@@ -110,7 +118,7 @@ private:
 
     const Hinges& hinges_;
     double noise_, square_;
-    std::vector<double> folds_;
+    std::span<const double> folds_; ///< of the hinges as they are
 };
 
 } // namespace

@@ -12,7 +12,12 @@ namespace wm3d::detect {
 
 Hinges::Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals) : normals_(normals) {
     const std::vector<Side> sides = sorted_sides(mesh);
-    hinges_.reserve(sides.size() / 2);
+    const std::size_t most = sides.size() / 2;
+    ends_.reserve(most);
+    c_.reserve(most);
+    couplings_.reserve(most);
+    fold_normals_.reserve(most);
+    folds_.reserve(most);
     for_each_edge(sides, [&](std::span<const Side> edge) {
         if (edge.size() != 2)
             return;
@@ -39,48 +44,45 @@ void Hinges::add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices)
     const double across = left_height / (left_height + right_height);
     const double along = std::lerp(edge.dot(to_left), edge.dot(to_right), across) / square;
     const Eigen::Vector4d c = Eigen::Vector4d(along - 1, -along, 1 - across, across).normalized();
-    Hinge hinge{vertices, {c[0], c[1], c[2], c[3]}, {}, normal.normalized(), 0};
-    hinge.fold = hinge.normal.dot(c[1] * edge + c[2] * to_left + c[3] * to_right); // c sums to 0
+    const Vec3 unit = normal.normalized();
+    ends_.push_back(vertices);
+    c_.push_back({c[0], c[1], c[2], c[3]});
+    folds_.push_back(unit.dot(c[1] * edge + c[2] * to_left + c[3] * to_right)); // c sums to 0
+    std::array<double, 4>& coupling = couplings_.emplace_back();
     for (std::size_t k = 0; k < 4; ++k)
-        hinge.couplings[k] = c[static_cast<Eigen::Index>(k)] * normals_[vertices[k]].dot(hinge.normal);
-    hinges_.push_back(hinge);
-}
-
-std::vector<double> Hinges::folds() const {
-    std::vector<double> r(hinges_.size());
-    std::ranges::transform(hinges_, r.begin(), &Hinge::fold);
-    return r;
+        coupling[k] = c_.back()[k] * normals_[vertices[k]].dot(unit);
+    fold_normals_.push_back(unit);
 }
 
 std::vector<double> Hinges::folds_of(std::span<const double> moves) const {
-    std::vector<double> r(hinges_.size(), 0.0);
+    std::vector<double> r(size(), 0.0);
     for (std::size_t h = 0; h < r.size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            r[h] += hinges_[h].couplings[k] * moves[hinges_[h].vertices[k]];
+            r[h] += couplings_[h][k] * moves[ends_[h][k]];
     return r;
 }
 
 std::vector<double> Hinges::transposed(std::span<const double> y) const {
     std::vector<double> x(normals_.size(), 0.0);
-    for (std::size_t h = 0; h < hinges_.size(); ++h)
+    for (std::size_t h = 0; h < size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            x[hinges_[h].vertices[k]] += hinges_[h].couplings[k] * y[h];
+            x[ends_[h][k]] += couplings_[h][k] * y[h];
     return x;
 }
 
 std::vector<double> Hinges::squares(std::span<const double> g) const {
     std::vector<double> x(normals_.size(), 0.0);
-    for (std::size_t h = 0; h < hinges_.size(); ++h)
+    for (std::size_t h = 0; h < size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            x[hinges_[h].vertices[k]] += hinges_[h].couplings[k] * hinges_[h].couplings[k] * g[h];
+            x[ends_[h][k]] += couplings_[h][k] * couplings_[h][k] * g[h];
     return x;
 }
 
 std::vector<Vec3> Hinges::gradient(std::span<const double> y) const {
     std::vector<Vec3> x(normals_.size(), Vec3::Zero());
-    for (std::size_t h = 0; h < hinges_.size(); ++h)
+    for (std::size_t h = 0; h < size(); ++h)
         for (std::size_t k = 0; k < 4; ++k)
-            x[hinges_[h].vertices[k]] += y[h] * hinges_[h].c[k] * hinges_[h].normal;
+            x[ends_[h][k]] += y[h] * c_[h][k] * fold_normals_[h];
     return x;
 }
 

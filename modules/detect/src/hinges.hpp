@@ -19,10 +19,16 @@ public:
     /// \param normals  unit normals of the vertices, #V, along which moves are made; has to outlive it
     Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals);
 
-    std::size_t size() const { return hinges_.size(); }
+    std::size_t size() const { return ends_.size(); }
+
+    /// The vertices of each hinge: the ends of the edge and the two corners opposite.
+    std::span<const std::array<Index, 4>> ends() const { return ends_; }
+
+    /// The entries of J at these: what a move of each vertex along its normal adds to the fold.
+    std::span<const std::array<double, 4>> couplings() const { return couplings_; }
 
     /// r of the mesh as it is, #hinges.
-    std::vector<double> folds() const;
+    std::span<const double> folds() const { return folds_; }
 
     /// J q: what moves q along the vertices' normals, #V, add to r; the hinges' normals held.
     std::vector<double> folds_of(std::span<const double> moves) const;
@@ -37,18 +43,13 @@ public:
     std::vector<Vec3> gradient(std::span<const double> y) const;
 
 private:
-    struct Hinge {
-        std::array<Index, 4> vertices;
-        std::array<double, 4> c,
-            couplings; ///< of J: what a move of each vertex along its normal adds to the fold
-        Vec3 normal;
-        double fold;
-    };
-
     void add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices);
 
     std::span<const Vec3> normals_;
-    std::vector<Hinge> hinges_;
+    std::vector<std::array<Index, 4>> ends_;
+    std::vector<std::array<double, 4>> c_, couplings_;
+    std::vector<Vec3> fold_normals_;
+    std::vector<double> folds_;
 };
 
 } // namespace wm3d::detect
