@@ -190,7 +190,10 @@ void require_usual_size(const Box& box) {
 
 } // namespace
 
-SurfaceMoments surface_moments(const TriangleMesh& mesh) {
+namespace {
+
+/// Area and centroid: the covariance is left out.
+SurfaceMoments first_surface_moments(const TriangleMesh& mesh) {
     const Box box = surface_box(mesh);
     require_usual_size(box);
     const Vec3 origin = 0.5 * (box.min + box.max);
@@ -202,7 +205,30 @@ SurfaceMoments surface_moments(const TriangleMesh& mesh) {
     SurfaceMoments moments;
     moments.area = first.area;
     moments.centroid = origin + first.moment / first.area;
-    moments.covariance = second_moments(mesh, moments.centroid) / first.area;
+    return moments;
+}
+
+SolidMoments solid_within(const TriangleMesh& mesh, const SurfaceMoments& surface) {
+    const double area = surface.area;
+    const Vec3 origin = surface.centroid;
+    const ApexSums sums = apex_sums(mesh, origin);
+    SolidMoments solid;
+    solid.openness = sums.area_vector.norm() / area;
+    const std::optional<Vec3> apex = own_apex(sums, std::sqrt(area));
+    if (!apex)
+        return solid;
+    solid.volume = sums.volume_about(*apex);
+    solid.centroid = origin + *apex;
+    solid.covariance = solid_second_moments(mesh, solid.centroid) / solid.volume;
+    solid.sphericity = 36 * std::numbers::pi * solid.volume * solid.volume / (area * area * area);
+    return solid;
+}
+
+} // namespace
+
+SurfaceMoments surface_moments(const TriangleMesh& mesh) {
+    SurfaceMoments moments = first_surface_moments(mesh);
+    moments.covariance = second_moments(mesh, moments.centroid) / moments.area;
     return moments;
 }
 
@@ -232,24 +258,18 @@ double mean_radius(const TriangleMesh& mesh, const Vec3& centre) {
 }
 
 SolidMoments solid_moments(const TriangleMesh& mesh) {
-    return shape_moments(mesh).solid;
+    return solid_within(mesh, first_surface_moments(mesh));
 }
 
 ShapeMoments shape_moments(const TriangleMesh& mesh) {
-    ShapeMoments moments{surface_moments(mesh), {}};
-    const double area = moments.surface.area;
-    const Vec3 origin = moments.surface.centroid;
-    const ApexSums sums = apex_sums(mesh, origin);
-    SolidMoments& solid = moments.solid;
-    solid.openness = sums.area_vector.norm() / area;
-    const std::optional<Vec3> apex = own_apex(sums, std::sqrt(area));
-    if (!apex)
-        return moments;
-    solid.volume = sums.volume_about(*apex);
-    solid.centroid = origin + *apex;
-    solid.covariance = solid_second_moments(mesh, solid.centroid) / solid.volume;
-    solid.sphericity = 36 * std::numbers::pi * solid.volume * solid.volume / (area * area * area);
-    return moments;
+    const SurfaceMoments surface = surface_moments(mesh);
+    return {surface, solid_within(mesh, surface)};
+}
+
+CentralMoments central_moments(const TriangleMesh& mesh, Substance substance) {
+    if (substance == Substance::surface)
+        return ShapeMoments{surface_moments(mesh), {}}.of(substance);
+    return ShapeMoments{{}, solid_moments(mesh)}.of(substance);
 }
 
 Substance ShapeMoments::substance() const {
@@ -270,6 +290,15 @@ CentralMoments ShapeMoments::of(Substance substance) const {
     return {surface.centroid, surface.covariance};
 }
 
+Mat3 principal_axes(const Mat3& covariance) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance); // ascending
+    Mat3 axes;
+    axes.row(0) = eigen.eigenvectors().col(2).transpose();
+    axes.row(1) = eigen.eigenvectors().col(1).transpose();
+    axes.row(2) = axes.row(0).cross(axes.row(1));
+    return axes;
+}
+
 Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
     Frame frame;
     frame.centroid = moments.centroid;
@@ -278,12 +307,7 @@ Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
         throw GeometryError(
             "all points of the surface coincide, so the mesh has no shape to mark or to examine");
 
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(moments.covariance); // ascending
-    Mat3 axes;
-    axes.row(0) = eigen.eigenvectors().col(2).transpose();
-    axes.row(1) = eigen.eigenvectors().col(1).transpose();
-    axes.row(2) = axes.row(0).cross(axes.row(1));
-
+    Mat3 axes = principal_axes(moments.covariance);
     const Vec3 skew = third_moments(mesh, frame.centroid, axes);
     for (int k : {0, 1})
         if (skew[k] < 0)
@@ -299,10 +323,7 @@ Frame canonical_frame(const TriangleMesh& mesh) {
 }
 
 Frame canonical_frame(const TriangleMesh& mesh, Substance substance) {
-    if (substance == Substance::solid)
-        return principal_frame(mesh, shape_moments(mesh).of(substance));
-    const SurfaceMoments surface = surface_moments(mesh);
-    return principal_frame(mesh, {surface.centroid, surface.covariance});
+    return principal_frame(mesh, central_moments(mesh, substance));
 }
 
 std::array<Frame, 4> sign_choices(const Frame& frame) {

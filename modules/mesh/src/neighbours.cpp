@@ -2,6 +2,7 @@
 #include <wm3d/mesh/neighbours.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace wm3d {
 
@@ -18,20 +19,30 @@ std::vector<char> border_flags(std::size_t vertices, const std::vector<Edge>& ed
 } // namespace
 
 std::vector<Edge> edges_of(const TriangleMesh& mesh) {
-    std::vector<std::uint64_t> keys;
-    keys.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-            keys.push_back(std::uint64_t{low} << 32 | high);
-        }
-    std::sort(keys.begin(), keys.end());
+    // Filed under their lower ends: what is left to sort are the few at one vertex.
+    std::vector<std::size_t> end(mesh.positions.size() + 1, 0);
+    const auto for_each_side = [&](auto&& visit) {
+        for (const Triangle& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k)
+                visit(std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]));
+    };
+    for_each_side([&](Index low, Index) { ++end[low + 1]; });
+    std::partial_sum(end.begin(), end.end(), end.begin());
+    std::vector<Index> highs(end.back());
+    for_each_side([&](Index low, Index high) { highs[end[low]++] = high; });
+
     std::vector<Edge> edges;
-    edges.reserve(keys.size() / 2);
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        if (i == 0 || keys[i] != keys[i - 1])
-            edges.push_back({static_cast<Index>(keys[i] >> 32), static_cast<Index>(keys[i]), 0});
-        ++edges.back().faces;
+    edges.reserve(highs.size() / 2);
+    auto begin = highs.begin();
+    for (Index low = 0; low < mesh.positions.size(); ++low) {
+        const auto last = highs.begin() + static_cast<std::ptrdiff_t>(end[low]);
+        std::sort(begin, last);
+        for (auto high = begin; high != last; ++high) {
+            if (high == begin || *high != high[-1])
+                edges.push_back({low, *high, 0});
+            ++edges.back().faces;
+        }
+        begin = last;
     }
     return edges;
 }

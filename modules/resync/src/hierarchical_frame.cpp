@@ -26,7 +26,7 @@ Mat3 median_rotation(const std::vector<LevelFrame>& levels) {
     for (int k = 0; k < 9; ++k) {
         std::vector<double> values;
         for (const LevelFrame& level : levels)
-            values.push_back(level.frame.axes(k));
+            values.push_back(level.axes(k));
         std::ranges::sort(values);
         const std::size_t middle = values.size() / 2;
         median(k) = values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
@@ -56,8 +56,8 @@ LevelFrame level_of(const Hierarchy::Level& coarser, const FrameEstimate& estima
     LevelFrame level;
     level.vertices = coarser.mesh.positions.size();
     const CentralMoments moments = coarser.moments.of(estimate.substance);
-    level.frame = with_signs_of(principal_frame(coarser.mesh, moments), estimate.finest);
     const Mat3& covariance = moments.covariance;
+    level.axes = with_signs_of({moments.centroid, principal_axes(covariance), 1}, estimate.finest).axes;
     level.change = (covariance / covariance.trace() - finest_covariance / finest_covariance.trace()).norm();
     return level;
 }
@@ -174,7 +174,7 @@ FrameEstimate estimate_frame(const Frame& finest, std::size_t vertices, const Hi
     const Mat3 covariance = hierarchy.moments.of(substance).covariance;
     const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
     estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
-    estimate.levels.push_back({vertices, estimate.finest, 0});
+    estimate.levels.push_back({vertices, estimate.finest.axes, 0});
     for (const Hierarchy::Level& level : hierarchy.coarser)
         estimate.levels.push_back(level_of(level, estimate, covariance));
 

@@ -36,9 +36,10 @@ std::vector<CandidatePose> frames_before_smoothing(const TriangleMesh& mesh, con
         return {};
     TriangleMesh smooth = mesh;
     smooth.positions = Umbrella(mesh).smooth(mesh.positions, options.steps, options.weight);
-    Frame smoothed;
+    Frame smoothed = frame;
     try {
-        smoothed = with_signs_of(canonical_frame(smooth, substance), frame);
+        const CentralMoments moments = central_moments(smooth, substance);
+        smoothed = with_signs_of({moments.centroid, principal_axes(moments.covariance), frame.scale}, frame);
     } catch (const GeometryError&) {
         return {}; // nothing was left of a tiny mesh
     }

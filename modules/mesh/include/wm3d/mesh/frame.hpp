@@ -74,6 +74,14 @@ struct ShapeMoments {
 /// \throw GeometryError  if the surface has no area
 ShapeMoments shape_moments(const TriangleMesh& mesh);
 
+/// `shape_moments(mesh).of(substance)`, without what the other substance alone would take.
+/// \throw GeometryError  if the surface has no area
+CentralMoments central_moments(const TriangleMesh& mesh, Substance substance);
+
+/// Eigenvectors of a covariance as rows, from the largest eigenvalue to the smallest; a rotation, whose first two rows
+/// may have either sign.
+Mat3 principal_axes(const Mat3& covariance);
+
 /// Area-weighted mean distance of the surface from `centre`, by a fixed rule of degree 5 on each triangle.
 double mean_radius(const TriangleMesh& mesh, const Vec3& centre);
 

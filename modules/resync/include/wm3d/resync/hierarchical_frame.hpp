@@ -38,8 +38,8 @@ std::string_view describe(Ambiguity ambiguity);
 /// Principal axes of one level.
 struct LevelFrame {
     std::size_t vertices = 0;
-    Frame frame;
-    double change = 0; ///< of the second moments against the finest level, relative
+    Mat3 axes = Mat3::Identity(); ///< rows, with the signs of the finest level's
+    double change = 0;            ///< of the second moments against the finest level, relative
 };
 
 /// The frame of a mesh and how well its moments determine it.
