@@ -22,7 +22,7 @@ namespace wm3d::io {
 namespace {
 
 /// Pieces are cut by size alone, so that nothing depends on the number of threads.
-constexpr std::size_t piece_size = std::size_t{1} << 18;
+constexpr std::size_t piece_size = std::size_t{1} << 17;
 
 /// Some bytes as a stream that knows how far it was read.
 class BytesBuffer : public std::streambuf {
@@ -39,6 +39,7 @@ struct Piece {
     std::size_t begin = 0, end = 0;
     std::vector<Vec3> positions;
     TextStore store;
+    bool only_vertices = true; ///< no line but `v` and blank ones
     Polygons faces;
     Index largest = 0; ///< vertex number of a face
     std::size_t largest_at = 0;
@@ -126,6 +127,8 @@ void scan_vertices(const Source& source, Piece& piece) {
             }
             piece.positions.push_back(position);
             piece.store.add(offsets);
+        } else {
+            piece.only_vertices &= scan.at_line_end();
         }
         scan.skip_line();
     }
@@ -137,7 +140,7 @@ std::vector<Piece> cut(const Source& source, std::string_view original) {
     for (std::size_t begin = 0; begin < source.bytes.size();) {
         const std::size_t line_end = source.bytes.find('\n', begin + piece_size);
         const std::size_t end = line_end == std::string_view::npos ? source.bytes.size() : line_end + 1;
-        pieces.push_back({begin, end, {}, TextStore(original), {}, 0, 0, nullptr});
+        pieces.push_back({begin, end, {}, TextStore(original), true, {}, 0, 0, nullptr});
         begin = end;
     }
     return pieces;
@@ -172,7 +175,7 @@ Document read_statements(const Source& source, std::string_view original) {
     for (std::size_t p = 0; p < pieces.size(); ++p)
         before[p + 1] = before[p] + pieces[p].positions.size();
     for_each_piece(pieces, [&](std::size_t p) {
-        if (FaceReader(source, pieces[p], before[p]).run() != before[p + 1])
+        if (!pieces[p].only_vertices && FaceReader(source, pieces[p], before[p]).run() != before[p + 1])
             source.fail(
                 "its lines can't be told apart; the file may mix line ends or hold control characters");
     });
