@@ -349,6 +349,7 @@ using wm3d::search::lone_flat;
 using wm3d::search::name;
 using wm3d::search::Outline;
 using wm3d::search::outline;
+using wm3d::search::outlined;
 using wm3d::search::Pose;
 using wm3d::search::PoseLattice;
 using wm3d::search::refine;

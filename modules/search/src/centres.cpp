@@ -56,14 +56,18 @@ double weight(const BorderLoop& loop) {
 } // namespace
 
 Outline outline(const TriangleMesh& mesh) {
-    return outline(mesh, shape_moments(mesh));
+    const ShapeMoments moments = shape_moments(mesh);
+    return outline(mesh, moments, mean_radius(mesh, moments.of(outlined(moments)).centroid));
 }
 
-Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments) {
-    const bool encloses = moments.solid.sphericity > 0.003; // the cone to the centroid closes what was cut
+Substance outlined(const ShapeMoments& moments) {
+    return moments.solid.sphericity > 0.003 ? Substance::solid : Substance::surface;
+}
+
+Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments, double radius) {
     Outline result;
-    result.centroid = encloses ? moments.solid.centroid : moments.surface.centroid;
-    result.radius = mean_radius(mesh, result.centroid);
+    result.centroid = moments.of(outlined(moments)).centroid;
+    result.radius = radius;
     double all = 0;
     Vec3 out = Vec3::Zero(), there = Vec3::Zero(); // of weights, and of weights times places
     for (const BorderLoop& loop : border_loops(mesh)) {

@@ -217,12 +217,16 @@ void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, st
     const std::vector<sphere::SparseRows> of_level =
         sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), levels);
     const detect::Evidence& seen = evidence(pose);
-    for (std::size_t l = 0; l < of_level.size(); ++l)
-        for (std::size_t f = 0; f < seen.filters(); ++f)
-            hypotheses.push_back({samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
-                                          : seen.statistic(f, of_level[l], options_.rmax),
-                                  levels[l], pose, f,
-                                  samples ? detect::Source::cells : detect::Source::vertices});
+    const std::size_t filters = seen.filters();
+    std::vector<std::optional<detect::LinearStatistic>> statistics(levels.size() * filters);
+    parallel_blocks(statistics.size(), 1, [&](std::size_t k, std::size_t) {
+        const std::size_t l = k / filters, f = k % filters;
+        statistics[k] = samples ? seen.statistic(f, *samples, of_level[l], options_.rmax)
+                                : seen.statistic(f, of_level[l], options_.rmax);
+    });
+    for (std::size_t k = 0; k < statistics.size(); ++k)
+        hypotheses.push_back({*std::move(statistics[k]), levels[k / filters], pose, k % filters,
+                              samples ? detect::Source::cells : detect::Source::vertices});
 }
 
 double Examination::expected_sigmas(Sequences& sequences, unsigned level, double strength, std::size_t pose,

@@ -18,21 +18,26 @@ constexpr std::size_t most_base_vertices = 60'000;
 /// Triangles up to which two looks at a mesh at once are no matter of memory.
 constexpr std::size_t small_beside_memory = 1'000'000;
 
-WholeSurface::Axes axes_of(const TriangleMesh& mesh, const ShapeMoments& moments, Substance substance) {
-    WholeSurface::Axes axes{substance, principal_frame(mesh, moments.of(substance)), {}};
-    axes.before_smoothing = resync::frames_before_smoothing(mesh, axes.frame, substance);
-    return axes;
+/// Mean radius about the centroid of the outline, which most often one of the axes has found.
+double outline_radius(const TriangleMesh& mesh, const WholeSurface& whole) {
+    const Substance substance = search::outlined(whole.moments);
+    const auto found = std::ranges::find(whole.axes, substance, &WholeSurface::Axes::substance);
+    return found != whole.axes.end() ? found->frame.scale
+                                     : mean_radius(mesh, whole.moments.of(substance).centroid);
 }
 
 } // namespace
 
 WholeSurface look_at_whole(const TriangleMesh& mesh) {
     WholeSurface whole{shape_moments(mesh), {}, {}};
-    parallel_invoke([&] { whole.outline = search::outline(mesh, whole.moments); },
-                    [&] {
-                        for (const Substance substance : whole.moments.possible_substances())
-                            whole.axes.push_back(axes_of(mesh, whole.moments, substance));
-                    });
+    for (const Substance substance : whole.moments.possible_substances())
+        whole.axes.push_back({substance, principal_frame(mesh, whole.moments.of(substance)), {}});
+    parallel_invoke(
+        [&] { whole.outline = search::outline(mesh, whole.moments, outline_radius(mesh, whole)); },
+        [&] {
+            for (WholeSurface::Axes& axes : whole.axes)
+                axes.before_smoothing = resync::frames_before_smoothing(mesh, axes.frame, axes.substance);
+        });
     return whole;
 }
 

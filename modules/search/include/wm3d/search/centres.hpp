@@ -28,8 +28,12 @@ struct Outline {
 /// \throw GeometryError  if the mesh has no area
 Outline outline(const TriangleMesh& mesh);
 
-/// The same of a mesh whose moments are known.
-Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments);
+/// The substance whose centroid an outline has: the solid where it encloses something, as the cone to its centroid closes
+/// what was cut.
+Substance outlined(const ShapeMoments& moments);
+
+/// The same of a mesh whose moments are known, and its mean radius about the centroid.
+Outline outline(const TriangleMesh& mesh, const ShapeMoments& moments, double radius);
 
 struct CentreOptions {
     double covering = 0.03; ///< farthest that any place is from a centre, in mean radii, near the centroid
