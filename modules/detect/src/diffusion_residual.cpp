@@ -64,9 +64,9 @@ public:
                       double variance_floor, const std::vector<std::vector<double>>& smooth)
         : geometry_(geometry), filter_(filter), own_(normal_residual(base, geometry.normals, smooth)),
           limit_(limit_of(own_, filter.bound)),
-          weights_(residual_weights(geometry.surface, own_, filter, variance_floor)) {
+          weights_(residual_weights(*geometry.surface, own_, filter, variance_floor)) {
         for (std::size_t i = 0; i < weights_.size(); ++i)
-            weights_[i] *= geometry.surface.mass()[i];
+            weights_[i] *= geometry.surface->mass()[i];
         std::vector<double> e = own_;
         for (double& x : e)
             x = counted(x);
@@ -113,12 +113,12 @@ private:
             e[i] *= weights_[i];
         std::vector<double> y = high_pass_transposed(std::move(e), weighing_tolerance);
         return filter_.template_t > 0
-                   ? geometry_.surface.low_pass_transposed(filter_.template_t, y, weighing_tolerance)
+                   ? geometry_.surface->low_pass_transposed(filter_.template_t, y, weighing_tolerance)
                    : y;
     }
 
     std::vector<double> high_pass(std::vector<double> x) const {
-        const std::vector<double> low = geometry_.surface.low_pass(filter_.t, {x}).front();
+        const std::vector<double> low = geometry_.surface->low_pass(filter_.t, {x}).front();
         for (std::size_t i = 0; i < x.size(); ++i)
             x[i] -= low[i];
         return x;
@@ -126,7 +126,7 @@ private:
 
     std::vector<double> high_pass_transposed(std::vector<double> y,
                                              double tolerance = SurfaceFilter::usual_tolerance) const {
-        const std::vector<double> low = geometry_.surface.low_pass_transposed(filter_.t, y, tolerance);
+        const std::vector<double> low = geometry_.surface->low_pass_transposed(filter_.t, y, tolerance);
         for (std::size_t i = 0; i < y.size(); ++i)
             y[i] -= low[i];
         return y;
@@ -135,7 +135,7 @@ private:
     /// LP x
     std::vector<double> as_template(std::vector<double> x) const {
         const double t = filter_.template_t;
-        return t > 0 ? geometry_.surface.low_pass(t, {std::move(x)}).front() : x;
+        return t > 0 ? geometry_.surface->low_pass(t, {std::move(x)}).front() : x;
     }
 
     const Geometry& geometry_;

@@ -47,8 +47,11 @@ std::vector<double> evened(std::vector<double> c) {
 
 } // namespace
 
-Geometry::Geometry(TriangleMesh mesh, int steps)
-    : calming(steps), positions(mesh.positions), normals(vertex_normals(mesh)), surface(mesh) {}
+Geometry::Geometry(const TriangleMesh& mesh, int steps, bool diffuses)
+    : calming(steps), positions(mesh.positions), normals(vertex_normals(mesh)), area(vertex_areas(mesh)) {
+    if (diffuses)
+        surface.emplace(mesh);
+}
 
 std::string describe(const Filter& filter) {
     if (filter.hinges == 0)
@@ -66,7 +69,7 @@ struct Evidence::Core {
 
     Core(const TriangleMesh& base, EvidenceOptions chosen)
         : options(std::move(chosen)), residuals(options.filters.size()) {
-        geometries.emplace_back(base, 0);
+        geometries.emplace_back(base, 0, diffuses_on(0));
         for (const Filter& filter : options.filters)
             geometry.push_back(geometry_of(base, filter.calming));
         if (std::ranges::any_of(options.filters, [](const Filter& f) { return f.hinges > 0; }))
@@ -80,8 +83,13 @@ struct Evidence::Core {
         const auto found = std::ranges::find(geometries, calming, &Geometry::calming);
         if (found != geometries.end())
             return static_cast<std::size_t>(found - geometries.begin());
-        geometries.emplace_back(calmed(base, calming), calming);
+        geometries.emplace_back(calmed(base, calming), calming, diffuses_on(calming));
         return geometries.size() - 1;
+    }
+
+    bool diffuses_on(int calming) const {
+        return std::ranges::any_of(options.filters,
+                                   [&](const Filter& f) { return f.hinges == 0 && f.calming == calming; });
     }
 
     std::vector<Smooth> smooth_coordinates(const TriangleMesh& base) const {
@@ -93,7 +101,7 @@ struct Evidence::Core {
                 smooth.push_back({geometry[f], options.filters[f].t, {}});
         const std::vector<std::vector<double>> x = coordinates(base);
         parallel_blocks(smooth.size(), 1, [&](std::size_t k, std::size_t) {
-            smooth[k].coordinates = geometries[smooth[k].geometry].surface.low_pass(smooth[k].t, x);
+            smooth[k].coordinates = geometries[smooth[k].geometry].surface->low_pass(smooth[k].t, x);
         });
         return smooth;
     }
@@ -111,7 +119,7 @@ struct Evidence::Core {
 
     /// Root of the area-weighted mean square.
     double rms(std::span<const double> x) const {
-        const std::span<const double> area = geometries.front().surface.mass();
+        const std::span<const double> area = geometries.front().area;
         double squares = 0, total = 0;
         for (std::size_t i = 0; i < x.size(); ++i) {
             squares += area[i] * x[i] * x[i];

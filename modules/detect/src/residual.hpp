@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace wm3d::detect {
 struct Geometry {
     int calming = 0;
     std::vector<Vec3> positions, normals;
-    SurfaceFilter surface;
+    std::vector<double> area;             ///< of the vertices
+    std::optional<SurfaceFilter> surface; ///< where a diffusion looks at it
 
-    Geometry(TriangleMesh mesh, int steps);
+    Geometry(const TriangleMesh& mesh, int steps, bool diffuses);
 };
 
 /// A residual of the suspect that is linear in its vertices' moves until it is counted, and the way back from it to the

@@ -237,12 +237,16 @@ std::vector<Vec3> TextStore::settle(const Welding& welding, std::span<const Vec3
     return settled;
 }
 
-PatchedFiles TextStore::patch(const Welding& welding, std::span<const Vec3> wanted, std::string_view) const {
+/// The file from the first coordinate of slot `begin` to that of slot `end`, or to the file's own ends.
+std::string TextStore::patched(const Welding& welding, std::span<const Vec3> wanted, std::size_t begin,
+                               std::size_t end) const {
+    const auto start_of = [&](std::size_t slot) { return std::ranges::min(offsets_[slot]); };
+    std::size_t copied = begin == 0 ? 0 : start_of(begin);
+    const std::size_t last = end == offsets_.size() ? bytes_.size() : start_of(end);
     std::string out;
-    out.reserve(bytes_.size() + bytes_.size() / 4);
-    std::size_t copied = 0;
+    out.reserve((last - copied) + (last - copied) / 4);
     char text[text_size];
-    for (std::size_t slot = 0; slot < offsets_.size(); ++slot) {
+    for (std::size_t slot = begin; slot < end; ++slot) {
         const Index v = welding.vertex_of_slot[slot];
         const auto& offsets = offsets_[slot];
         std::array<int, 3> order{0, 1, 2}; // of appearance in the file
@@ -259,7 +263,19 @@ PatchedFiles TextStore::patch(const Welding& welding, std::span<const Vec3> want
             copied = end_of(offset);
         }
     }
-    out.append(bytes_, copied);
+    out.append(bytes_, copied, last - copied);
+    return out;
+}
+
+PatchedFiles TextStore::patch(const Welding& welding, std::span<const Vec3> wanted, std::string_view) const {
+    std::vector<std::string> parts(std::max<std::size_t>(1, (offsets_.size() + block - 1) / block));
+    parallel_blocks(parts.size(), 1, [&](std::size_t p, std::size_t) {
+        parts[p] = patched(welding, wanted, p * block, std::min(offsets_.size(), (p + 1) * block));
+    });
+    std::string out;
+    out.reserve(bytes_.size() + bytes_.size() / 4);
+    for (const std::string& part : parts)
+        out += part;
     return {std::move(out), {}};
 }
 

@@ -90,6 +90,8 @@ public:
 
 private:
     std::size_t end_of(std::size_t offset) const;
+    std::string patched(const Welding& welding, std::span<const Vec3> wanted, std::size_t begin,
+                        std::size_t end) const;
     std::string_view bytes_;
     std::vector<std::array<std::size_t, 3>> offsets_;
     TextStyle style_;
