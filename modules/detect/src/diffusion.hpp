@@ -10,16 +10,9 @@
 #include <wm3d/mesh/types.hpp>
 
 #include "conjugate_gradients.hpp"
+#include "symmetric_rows.hpp"
 
 namespace wm3d::detect {
-
-/// A symmetric matrix by rows: the diagonal, and what stands beside it.
-struct SymmetricRows {
-    std::vector<double> diagonal; ///< #rows
-    std::vector<Index> start;     ///< #rows + 1
-    std::vector<Index> column;
-    std::vector<double> value;
-};
 
 /// M + tL with a diagonal M.
 struct Diffusion {

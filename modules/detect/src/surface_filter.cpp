@@ -3,87 +3,23 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <optional>
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "diffusion.hpp"
+#include "multilevel_diffusion.hpp"
+#include "symmetric_rows.hpp"
 
 namespace wm3d::detect {
 
 namespace {
 
-/// Half cotangents outside this range come from slivers and would only spoil the condition of the system.
-constexpr double least_weight = 1e-6, most_weight = 50;
-
 constexpr int most_steps = 1000;
 
-/// Half the cotangents of a triangle's angles, each the weight of the edge across.
-std::array<double, 3> half_cotangents(const TriangleMesh& mesh, std::size_t f) {
-    const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
-    std::array<double, 3> weights;
-    for (int k = 0; k < 3; ++k) {
-        const Vec3& apex = mesh.positions[mesh.triangles[f][k]];
-        const Vec3 a = mesh.positions[mesh.triangles[f][(k + 1) % 3]] - apex,
-                   b = mesh.positions[mesh.triangles[f][(k + 2) % 3]] - apex;
-        weights[k] = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
-    }
-    return weights;
-}
-
-struct Entry {
-    Index column;
-    double value;
-};
-
-/// One entry for each triangle at each edge, row by row: `start` has #rows + 1 numbers.
-std::vector<Entry> edge_entries(const TriangleMesh& mesh, std::vector<Index>& start) {
-    start.assign(mesh.positions.size() + 1, 0);
-    for (const Triangle& triangle : mesh.triangles)
-        for (Index v : triangle)
-            start[v + 1] += 2;
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        start[v + 1] += start[v];
-    std::vector<Entry> entries(start.back());
-    std::vector<Index> next(start.begin(), start.end() - 1);
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const std::array<double, 3> weights = half_cotangents(mesh, f);
-        for (int k = 0; k < 3; ++k) {
-            const Index i = mesh.triangles[f][(k + 1) % 3], j = mesh.triangles[f][(k + 2) % 3];
-            entries[next[i]++] = {j, -weights[k]};
-            entries[next[j]++] = {i, -weights[k]};
-        }
-    }
-    return entries;
-}
-
-SymmetricRows cotangent_laplacian(const TriangleMesh& mesh) {
-    std::vector<Index> start;
-    std::vector<Entry> entries = edge_entries(mesh, start);
-    SymmetricRows rows;
-    rows.diagonal.assign(mesh.positions.size(), 0.0);
-    rows.start.assign(1, 0);
-    rows.start.reserve(start.size());
-    rows.column.reserve(entries.size() / 2);
-    rows.value.reserve(entries.size() / 2);
-    for (std::size_t v = 0; v < rows.diagonal.size(); ++v) {
-        const auto begin = entries.begin() + start[v], end = entries.begin() + start[v + 1];
-        std::stable_sort(begin, end, [](const Entry& a, const Entry& b) { return a.column < b.column; });
-        const std::size_t first = rows.column.size();
-        for (auto entry = begin; entry != end; ++entry) {
-            rows.diagonal[v] -= entry->value;
-            if (rows.column.size() > first && rows.column.back() == entry->column) {
-                rows.value.back() += entry->value;
-            } else {
-                rows.column.push_back(entry->column);
-                rows.value.push_back(entry->value);
-            }
-        }
-        rows.start.push_back(static_cast<Index>(rows.column.size()));
-    }
-    return rows;
-}
+/// Rows from which on a hierarchy saves more steps than each of its own costs.
+constexpr std::size_t many_rows = 200'000;
 
 /// (M + tL)^-1 M x for K vectors.
 template<std::size_t K>
@@ -108,7 +44,8 @@ void low_pass_together(const Diffusion& system, std::span<const std::vector<doub
 
 struct SurfaceFilter::Operators {
     std::vector<double> mass;
-    SymmetricRows laplacian;
+    SymmetricRows laplacian;                  ///< of a surface of usual density
+    std::optional<MultilevelDiffusion> dense; ///< or of a dense one
 
     Diffusion system(double t) const { return {mass, laplacian, t}; }
 };
@@ -121,7 +58,10 @@ SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_un
     const double least = 1e-9 * total / static_cast<double>(std::max<std::size_t>(mesh.positions.size(), 1));
     for (double& m : operators_->mass)
         m = std::max(m, least);
-    operators_->laplacian = cotangent_laplacian(mesh);
+    if (mesh.positions.size() < many_rows)
+        operators_->laplacian = cotangent_laplacian<double>(mesh);
+    else
+        operators_->dense.emplace(mesh, operators_->mass);
 }
 
 SurfaceFilter::~SurfaceFilter() = default;
@@ -132,8 +72,17 @@ std::span<const double> SurfaceFilter::mass() const {
     return operators_->mass;
 }
 
-std::vector<std::vector<double>>
-SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vectors, double tolerance) const {
+std::size_t SurfaceFilter::at_once() const {
+    return operators_->dense ? 1 : 3;
+}
+
+std::vector<std::vector<double>> SurfaceFilter::low_pass(double t, std::vector<std::vector<double>> vectors,
+                                                         double tolerance) const {
+    if (operators_->dense) {
+        for (std::vector<double>& x : vectors)
+            operators_->dense->diffuse(t, x, tolerance, most_steps);
+        return vectors;
+    }
     const Diffusion system = operators_->system(t);
     std::vector<std::vector<double>> smooth(vectors.size());
     // The coordinates of a surface come three at a time.
@@ -152,6 +101,15 @@ SurfaceFilter::low_pass(double t, const std::vector<std::vector<double>>& vector
 
 std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const double> y,
                                                        double tolerance) const {
+    if (operators_->dense) {
+        std::vector<double> x(y.begin(), y.end());
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] /= operators_->mass[i];
+        operators_->dense->diffuse(t, x, tolerance, most_steps);
+        for (std::size_t i = 0; i < x.size(); ++i)
+            x[i] *= operators_->mass[i];
+        return x;
+    }
     Together<1> right(y.size()), x(y.size(), std::array{0.0});
     for (std::size_t i = 0; i < y.size(); ++i)
         right[i][0] = y[i];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <wm3d/mesh/measure.hpp>
 
@@ -38,14 +39,19 @@ double area_rms(std::span<const double> x, std::span<const double> area) {
 /// n . (x - low pass of x), #V.
 std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Vec3> normals,
                                     const detect::SurfaceFilter& surface, double t) {
-    std::vector<std::vector<double>> x(3, std::vector<double>(mesh.positions.size()));
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
-        for (Eigen::Index k = 0; k < 3; ++k)
-            x[static_cast<std::size_t>(k)][i] = mesh.positions[i][k];
-    const std::vector<std::vector<double>> smooth = surface.low_pass(t, x);
-    std::vector<double> e(mesh.positions.size());
-    for (std::size_t i = 0; i < e.size(); ++i)
-        e[i] = normals[i].dot(mesh.positions[i] - Vec3(smooth[0][i], smooth[1][i], smooth[2][i]));
+    std::vector<double> e(mesh.positions.size(), 0.0);
+    const std::size_t together = surface.at_once();
+    for (std::size_t first = 0; first < 3; first += together) {
+        std::vector<std::vector<double>> x(together, std::vector<double>(e.size()));
+        const auto axis = [&](std::size_t k) { return static_cast<Eigen::Index>(first + k); };
+        for (std::size_t k = 0; k < together; ++k)
+            for (std::size_t i = 0; i < e.size(); ++i)
+                x[k][i] = mesh.positions[i][axis(k)];
+        x = surface.low_pass(t, std::move(x));
+        for (std::size_t k = 0; k < together; ++k)
+            for (std::size_t i = 0; i < e.size(); ++i)
+                e[i] += normals[i][axis(k)] * (mesh.positions[i][axis(k)] - x[k][i]);
+    }
     return e;
 }
 
@@ -61,13 +67,13 @@ std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter
 
 } // namespace
 
-Carriers::Carriers(const TriangleMesh& mesh, const MaskOptions& options)
-    : options_(options), surface_(mesh), normals_(vertex_normals(mesh)), area_(vertex_areas(mesh)),
-      visibility_(mesh.positions.size()),
-      mask_(local_rms(normal_residual(mesh, normals_, surface_, options.residual_t), surface_,
-                      options.spread_t)) {
+Carriers::Carriers(const TriangleMesh& mesh, const Frame& frame, const MaskOptions& options)
+    : options_(options), unit_(frame.scale), surface_(mesh), normals_(vertex_normals(mesh)),
+      area_(vertex_areas(mesh)), visibility_(mesh.positions.size()),
+      mask_(local_rms(normal_residual(mesh, normals_, surface_, diffusion(options.residual_t)), surface_,
+                      diffusion(options.spread_t))) {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
-        visibility_[i] = normals_[i].dot(mesh.positions[i].normalized());
+        visibility_[i] = normals_[i].dot((mesh.positions[i] - frame.centroid).normalized());
     const double typical =
         std::max(typical_value(mask_, area_), options_.least_typical * area_rms(mask_, area_));
     for (std::size_t i = 0; i < mask_.size(); ++i)
@@ -81,18 +87,26 @@ void Carriers::limit() {
         value = std::min(value, most);
 }
 
+std::vector<double> Carriers::bumps(std::vector<double> heights) const {
+    for (std::size_t i = 0; i < heights.size(); ++i)
+        heights[i] *= visibility_[i];
+    return heights;
+}
+
 std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<const double> w) const {
-    std::vector<double> x = sphere::multiply(rows, w);
+    return bumps(sphere::multiply(rows, w));
+}
+
+std::vector<double> Carriers::carry(std::vector<double> bumps) const {
+    std::vector<double> x =
+        std::move(surface_.low_pass(diffusion(options_.carrier_t), {std::move(bumps)}).front());
     for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] *= visibility_[i];
+        x[i] *= mask_[i];
     return x;
 }
 
 std::vector<double> Carriers::moves(const sphere::SparseRows& rows, std::span<const double> w) const {
-    std::vector<double> x = surface_.low_pass(options_.carrier_t, {bumps(rows, w)}).front();
-    for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] *= mask_[i];
-    return x;
+    return carry(bumps(rows, w));
 }
 
 void Carriers::equalize(std::span<const Index> vertices, std::span<const double> seen, double target) {
@@ -104,8 +118,8 @@ void Carriers::equalize(std::span<const Index> vertices, std::span<const double>
         there[vertices[i]] = seen[i];
         known[vertices[i]] = 1;
     }
-    const std::vector<std::vector<double>> spread =
-        surface_.low_pass(options_.spread_t, {std::move(there), std::move(known)}, spread_tolerance);
+    const std::vector<std::vector<double>> spread = surface_.low_pass(
+        diffusion(options_.spread_t), {std::move(there), std::move(known)}, spread_tolerance);
     for (std::size_t i = 0; i < mask_.size(); ++i) {
         const double around = spread[1][i] > nowhere ? spread[0][i] / spread[1][i] : target;
         mask_[i] *= std::clamp(std::sqrt(target / std::max(around, least_seen * target)), weakest, strongest);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,7 +91,7 @@ struct Marker::Base {
 
 /// The carriers of a level.
 struct Marker::Carried {
-    sphere::SparseRows rows; ///< B for all vertices
+    std::optional<sphere::SparseRows> rows; ///< B for all vertices, unless they are many
     masking::Carriers carriers;
     double usual_factor =
         0; ///< of moves that are seen about as much as `default_visibility`; 0 where unknown
@@ -98,6 +100,7 @@ struct Marker::Carried {
 /// What was needed so far.
 struct Marker::Made {
     std::mutex guard;
+    std::optional<TriangleMesh> canonical;
     std::unique_ptr<Base> base;
     std::unique_ptr<masking::Budget> budget;
     std::map<unsigned, Carried> carried;
@@ -107,14 +110,20 @@ Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& p
     : sorted_(mesh.positions.size() > worth_sorting ? along_curve(mesh) : Reordered{}),
       mesh_(sorted_.original.empty() ? mesh : sorted_.mesh), vertices_(vertices), progress_(progress),
       frame_(canonical_frame(mesh_)), diagonal_(surface_box(mesh_).diagonal()),
-      canonical_(to_frame(mesh_, frame_)), made_(std::make_unique<Made>()) {}
+      made_(std::make_unique<Made>()) {}
 
 Marker::~Marker() = default;
+
+const TriangleMesh& Marker::canonical() const {
+    if (!made_->canonical)
+        made_->canonical = to_frame(mesh_, frame_);
+    return *made_->canonical;
+}
 
 const Marker::Base& Marker::base() const {
     const std::lock_guard lock(made_->guard);
     if (!made_->base)
-        made_->base = std::make_unique<Base>(canonical_, vertices_, progress_);
+        made_->base = std::make_unique<Base>(canonical(), vertices_, progress_);
     return *made_->base;
 }
 
@@ -130,17 +139,39 @@ const Marker::Carried& Marker::carried(unsigned level) const {
     const std::lock_guard lock(made_->guard);
     if (const auto found = made_->carried.find(level); found != made_->carried.end())
         return found->second;
-    Carried fresh{sphere::barycentric_rows(sphere::Icosphere(level), canonical_.positions),
-                  masking::Carriers(canonical_)};
-    const std::vector<double> moves = fresh.carriers.moves(
-        fresh.rows, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1));
+    Carried fresh{std::nullopt, masking::Carriers(mesh_, frame_)};
+    if (sorted_.original.empty())
+        fresh.rows = rows(level, 0, mesh_.positions.size());
+    const std::vector<double> moves = fresh.carriers.carry(
+        bumps(fresh, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)));
     if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0) {
-        const auto trial = [&](double strength) {
-            return in_file(moved(fresh.carriers, moves, strength / rms));
-        };
+        const auto trial = [&](double strength) { return moved(fresh.carriers, moves, strength / rms); };
         fresh.usual_factor = seen.equalize(fresh.carriers, trial, default_visibility, first_strength) / rms;
     }
     return made_->carried.emplace(level, std::move(fresh)).first->second;
+}
+
+/// B for some vertices.
+sphere::SparseRows Marker::rows(unsigned level, std::size_t begin, std::size_t end) const {
+    std::vector<Vec3> places(end - begin);
+    std::transform(mesh_.positions.begin() + static_cast<std::ptrdiff_t>(begin),
+                   mesh_.positions.begin() + static_cast<std::ptrdiff_t>(end), places.begin(),
+                   [&](const Vec3& p) { return frame_.to_canonical(p); });
+    return sphere::barycentric_rows(sphere::Icosphere(level), places);
+}
+
+std::vector<double> Marker::bumps(const Carried& with, unsigned level, std::span<const double> w) const {
+    if (with.rows)
+        return with.carriers.bumps(*with.rows, w);
+    constexpr std::size_t some = 1 << 17; // whose rows are held at a time
+    std::vector<double> heights;
+    heights.reserve(mesh_.positions.size());
+    for (std::size_t begin = 0; begin < mesh_.positions.size(); begin += some) {
+        const std::vector<double> next =
+            sphere::multiply(rows(level, begin, std::min(begin + some, mesh_.positions.size())), w);
+        heights.insert(heights.end(), next.begin(), next.end());
+    }
+    return with.carriers.bumps(std::move(heights));
 }
 
 const maps::BaseDomain& Marker::domain() const {
@@ -175,16 +206,16 @@ double Marker::percent_of_diagonal(double radii) const {
 std::vector<Vec3> Marker::in_file(std::span<const Vec3> moved) const {
     std::vector<Vec3> positions = mesh_.positions;
     for (std::size_t i = 0; i < moved.size(); ++i)
-        if (moved[i] != canonical_.positions[i]) // what did not move keeps its exact coordinates
+        if (moved[i] != made_->canonical->positions[i]) // what did not move keeps its exact coordinates
             positions[i] = frame_.from_canonical(moved[i]);
     return positions;
 }
 
 std::vector<Vec3> Marker::moved(const masking::Carriers& carriers, std::span<const double> moves,
                                 double factor) const {
-    std::vector<Vec3> positions = canonical_.positions;
+    std::vector<Vec3> positions = mesh_.positions;
     for (std::size_t i = 0; i < positions.size(); ++i)
-        positions[i] += factor * moves[i] * carriers.normals()[i];
+        positions[i] += factor * frame_.scale * moves[i] * carriers.normals()[i];
     return positions;
 }
 
@@ -204,21 +235,24 @@ std::vector<Vec3> shaped_base(const TriangleMesh& base, std::span<const double> 
 
 } // namespace
 
-/// A mark whose size is still open: full meshes in the canonical frame.
+/// A mark whose size is still open.
 struct Marker::Layout {
-    masking::MarkOfStrength positions; ///< of a strength in % of the diagonal
+    masking::MarkOfStrength positions; ///< in the coordinates of the mesh, of a strength in % of the diagonal
     double unit = 0;                   ///< strength of the bumps of gamma 1
     double usual = 0; ///< strength that is seen about as much as `default_visibility`; 0 where unknown
 };
 
 Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
     const Carried& with = carried(level);
-    const std::vector<double> moves = with.carriers.moves(with.rows, w);
+    std::vector<double> moves = bumps(with, level, w);
+    const double unit = percent_of_diagonal(with.carriers.rms(moves));
+    moves = with.carriers.carry(std::move(moves));
     const double rms = percent_of_diagonal(with.carriers.rms(moves));
     require_move(rms);
-    return {
-        [this, &with, moves, rms](double strength) { return moved(with.carriers, moves, strength / rms); },
-        percent_of_diagonal(with.carriers.rms(with.carriers.bumps(with.rows, w))), with.usual_factor * rms};
+    return {[this, &with, moves = std::move(moves), rms](double strength) {
+                return moved(with.carriers, moves, strength / rms);
+            },
+            unit, with.usual_factor * rms};
 }
 
 Marker::Layout Marker::bumpy(std::span<const double> w, unsigned level) const {
@@ -232,7 +266,7 @@ Marker::Layout Marker::bumpy(std::span<const double> w, unsigned level) const {
     constexpr double trial = 1e-3;
     const double unit = normal_rms(marked(trial)) / trial;
     require_move(unit);
-    return {[marked, unit](double strength) { return marked(strength / unit); }, unit};
+    return {[this, marked, unit](double strength) { return in_file(marked(strength / unit)); }, unit};
 }
 
 Marker::Layout Marker::shaped(std::span<const double> w, unsigned level) const {
@@ -249,7 +283,7 @@ Marker::Layout Marker::shaped(std::span<const double> w, unsigned level) const {
         const double factor = strength / normal_rms(on.detailed.reconstruct(moved));
         for (std::size_t i = 0; i < moved.size(); ++i)
             moved[i] = still[i] + factor * (moved[i] - still[i]);
-        return on.detailed.reconstruct(moved);
+        return in_file(on.detailed.reconstruct(moved));
     };
     return layout;
 }
@@ -266,7 +300,7 @@ Marker::Layout Marker::layout(std::span<const double> w, Profile profile, unsign
 }
 
 double Marker::normal_rms(std::span<const Vec3> moved) const {
-    return percent_of_diagonal(embed::distortion(canonical_, moved).normal_rms);
+    return percent_of_diagonal(embed::distortion(*made_->canonical, moved).normal_rms);
 }
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
@@ -286,8 +320,8 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
     const auto laid = [&](double strength) {
-        std::vector<Vec3> positions = in_file(layout.positions(strength));
-        embed::turn_back(mesh_, positions); // the canonical frame has no digits left for the smallest parts
+        std::vector<Vec3> positions = layout.positions(strength);
+        embed::turn_back(mesh_, positions);
         return positions;
     };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;

@@ -12,8 +12,8 @@ namespace wm3d::detect {
 
 /// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on
 /// any triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and
-/// positive. Solves by conjugate gradients that never form M + tL, three vectors at a time in one thread, so
-/// the bytes don't depend on the number of threads.
+/// positive. Solves by conjugate gradients that never form M + tL, three vectors at a time in one thread, and on
+/// dense surfaces by a hierarchy of levels, one vector at a time in all threads: the bytes don't depend on their number.
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);
@@ -30,8 +30,11 @@ public:
     static constexpr double usual_tolerance = 3e-6;
 
     /// (M + tL)^-1 M x for each of the vectors, #V each; t in units of length squared.
-    std::vector<std::vector<double>> low_pass(double t, const std::vector<std::vector<double>>& vectors,
+    std::vector<std::vector<double>> low_pass(double t, std::vector<std::vector<double>> vectors,
                                               double tolerance = usual_tolerance) const;
+
+    /// Vectors that `low_pass` takes together; more are taken in turn.
+    std::size_t at_once() const;
 
     /// M (M + tL)^-1 y: the transpose of `low_pass`.
     std::vector<double> low_pass_transposed(double t, std::span<const double> y,

@@ -39,7 +39,7 @@ struct BudgetOptions {
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
     std::size_t most_whole = 200'000;
     std::size_t glance_vertices = 128; ///< of a window of such a mesh, while its mask is weighed
-    double sampling_margin = 0.005;   ///< part of the budget that is left where not all are opened
+    double sampling_margin = 0.005;    ///< part of the budget that is left where not all are opened
 };
 
 /// The one-sided MSDM2 of marks from the mesh they are for.

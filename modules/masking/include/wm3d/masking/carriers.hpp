@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <wm3d/detect/surface_filter.hpp>
+#include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/sphere/sparse_rows.hpp>
 
@@ -31,16 +32,23 @@ struct MaskOptions {
 /// its median. `equalize` then weighs it by what a trial mark shows.
 class Carriers {
 public:
-    /// \param mesh  the full welded mesh in its canonical frame; any triangles. Isolated vertices stay.
+    /// \param mesh   the full welded mesh; any triangles. Isolated vertices stay.
+    /// \param frame  the mesh's canonical frame
     /// \throw GeometryError  if the mesh has no area
-    explicit Carriers(const TriangleMesh& mesh, const MaskOptions& options = {});
+    explicit Carriers(const TriangleMesh& mesh, const Frame& frame = {}, const MaskOptions& options = {});
 
     /// Moves along `normals()`, #V, in mean radii per unit of w. Linear in w.
     /// \param rows  B for the vertices, of the level of w
     std::vector<double> moves(const sphere::SparseRows& rows, std::span<const double> w) const;
 
+    /// The moves that bumps along the normals, #V, become.
+    std::vector<double> carry(std::vector<double> bumps) const;
+
     /// The bumps as they are along the normals, diag(d.n) B w, #V.
     std::vector<double> bumps(const sphere::SparseRows& rows, std::span<const double> w) const;
+
+    /// The same from B w, #V.
+    std::vector<double> bumps(std::vector<double> heights) const;
 
     /// Weakens the mask where a trial mark is seen more than `target` and strengthens it where less, by the
     /// square root of the ratio: half of the way to a mark that is seen alike everywhere.
@@ -53,7 +61,8 @@ public:
     void silence(std::span<const char> still);
 
     std::span<const double> mask() const { return mask_; }
-    const std::vector<Vec3>& normals() const { return normals_; } ///< #V, unit; zero where isolated
+    /// #V, unit, in the coordinates of the mesh; zero where isolated.
+    const std::vector<Vec3>& normals() const { return normals_; }
 
     /// Area-weighted root mean square of moves, #V.
     double rms(std::span<const double> moves) const;
@@ -61,7 +70,10 @@ public:
 private:
     void limit();
 
+    double diffusion(double t) const { return t * unit_ * unit_; } ///< in the mesh's unit of length
+
     MaskOptions options_;
+    double unit_; ///< mean radius
     detect::SurfaceFilter surface_;
     std::vector<Vec3> normals_;
     std::vector<double> area_;       ///< 0 where isolated

@@ -14,6 +14,7 @@
 #include <wm3d/masking/carriers.hpp>
 #include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/payload/sequence.hpp>
+#include <wm3d/sphere/sparse_rows.hpp>
 #include <wm3d/watermark/examination.hpp>
 
 namespace wm3d::watermark {
@@ -102,18 +103,22 @@ private:
     struct Layout;
     struct Made;
 
+    const TriangleMesh& canonical() const; ///< made at first need; `made_` has to be locked
     const Base& base() const;
     const masking::Budget& budget() const;
     const Carried& carried(unsigned level) const;
+    sphere::SparseRows rows(unsigned level, std::size_t begin, std::size_t end) const;
+    std::vector<double> bumps(const Carried& with, unsigned level, std::span<const double> w) const;
     Layout masked(std::span<const double> w, unsigned level) const;
     Layout shaped(std::span<const double> w, unsigned level) const;
     Layout bumpy(std::span<const double> w, unsigned level) const;
     Layout layout(std::span<const double> w, Profile profile, unsigned level) const;
     double normal_rms(std::span<const Vec3> moved) const; ///< of the full canonical mesh, % of the diagonal
     double percent_of_diagonal(double radii) const;
-    std::vector<Vec3> in_file(std::span<const Vec3> moved) const; ///< in the coordinates of the mesh
+    /// What was moved of the canonical mesh, which is there, in the coordinates of the mesh.
+    std::vector<Vec3> in_file(std::span<const Vec3> moved) const;
     std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
-                            double factor) const; ///< the canonical mesh
+                            double factor) const; ///< in the coordinates of the mesh
 
     std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
 
@@ -123,7 +128,6 @@ private:
     Progress progress_;
     Frame frame_;
     double diagonal_;
-    TriangleMesh canonical_;
     std::unique_ptr<Made> made_; ///< what was needed so far
 };
 

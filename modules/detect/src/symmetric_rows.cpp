@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "symmetric_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/measure.hpp>
+
+namespace wm3d::detect {
+
+namespace {
+
+/// Half cotangents outside this range come from slivers and would only spoil the condition of the system.
+constexpr double least_weight = 1e-6, most_weight = 50;
+
+constexpr std::size_t row_block = 4096;
+
+/// Half the cotangents of a triangle's angles, each the weight of the edge across.
+std::array<double, 3> half_cotangents(const TriangleMesh& mesh, std::size_t f) {
+    const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
+    std::array<double, 3> weights;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3& apex = mesh.positions[mesh.triangles[f][k]];
+        const Vec3 a = mesh.positions[mesh.triangles[f][(k + 1) % 3]] - apex,
+                   b = mesh.positions[mesh.triangles[f][(k + 2) % 3]] - apex;
+        weights[k] = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
+    }
+    return weights;
+}
+
+/// The triangles at each vertex, ascending.
+struct Incidence {
+    std::vector<Index> start; ///< #V + 1
+    std::vector<Index> triangle;
+
+    explicit Incidence(const TriangleMesh& mesh)
+        : start(mesh.positions.size() + 1, 0), triangle(3 * mesh.triangles.size()) {
+        for (const Triangle& t : mesh.triangles)
+            for (Index v : t)
+                ++start[v + 1];
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+            start[v + 1] += start[v];
+        std::vector<Index> next(start.begin(), start.end() - 1);
+        for (Index f = 0; f < mesh.triangles.size(); ++f)
+            for (Index v : mesh.triangles[f])
+                triangle[next[v]++] = f;
+    }
+
+    std::span<const Index> at(std::size_t v) const {
+        return {triangle.data() + start[v], start[v + 1] - start[v]};
+    }
+};
+
+struct Entry {
+    Index column;
+    double value;
+};
+
+/// One entry for each triangle at each edge of a vertex, by columns.
+void edge_entries(const TriangleMesh& mesh, std::span<const Index> triangles, Index v,
+                  std::vector<Entry>& entries) {
+    entries.clear();
+    for (const Index f : triangles) {
+        const std::array<double, 3> weights = half_cotangents(mesh, f);
+        const Triangle& t = mesh.triangles[f];
+        for (int k = 0; k < 3; ++k) {
+            const Index i = t[(k + 1) % 3], j = t[(k + 2) % 3];
+            if (i == v || j == v)
+                entries.push_back({i == v ? j : i, -weights[k]});
+        }
+    }
+    std::ranges::stable_sort(entries, {}, &Entry::column);
+}
+
+std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangles, Index v,
+                       std::vector<Index>& others) {
+    others.clear();
+    for (const Index f : triangles)
+        std::ranges::copy_if(mesh.triangles[f], std::back_inserter(others), [&](Index u) { return u != v; });
+    std::ranges::sort(others);
+    return static_cast<std::size_t>(std::ranges::unique(others).begin() - others.begin());
+}
+
+} // namespace
+
+template<typename Value>
+SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
+    const Incidence around(mesh);
+    const std::size_t count = mesh.positions.size();
+    SymmetricRowsOf<Value> rows;
+    rows.diagonal.resize(count);
+    rows.start.assign(count + 1, 0);
+    parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> others;
+        for (std::size_t v = begin; v < end; ++v)
+            rows.start[v + 1] =
+                static_cast<Index>(neighbours(mesh, around.at(v), static_cast<Index>(v), others));
+    });
+    for (std::size_t v = 0; v < count; ++v)
+        rows.start[v + 1] += rows.start[v];
+    rows.column.resize(rows.start.back());
+    rows.value.resize(rows.start.back());
+    parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
+        std::vector<Entry> entries;
+        for (std::size_t v = begin; v < end; ++v) {
+            edge_entries(mesh, around.at(v), static_cast<Index>(v), entries);
+            double diagonal = 0;
+            Index place = rows.start[v];
+            for (std::size_t i = 0; i < entries.size();) {
+                double sum = 0;
+                const Index column = entries[i].column;
+                for (; i < entries.size() && entries[i].column == column; ++i) {
+                    diagonal -= entries[i].value;
+                    sum += entries[i].value;
+                }
+                rows.column[place] = column;
+                rows.value[place++] = static_cast<Value>(sum);
+            }
+            rows.diagonal[v] = static_cast<Value>(diagonal);
+        }
+    });
+    return rows;
+}
+
+template SymmetricRowsOf<float> cotangent_laplacian(const TriangleMesh&);
+template SymmetricRowsOf<double> cotangent_laplacian(const TriangleMesh&);
+
+} // namespace wm3d::detect
