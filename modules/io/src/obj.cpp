@@ -41,6 +41,7 @@ struct Piece {
     TextStore store;
     bool only_vertices = true; ///< no line but `v` and blank ones
     Polygons faces;
+    std::vector<Triangle> triangles;
     Index largest = 0; ///< vertex number of a face
     std::size_t largest_at = 0;
     std::exception_ptr error;
@@ -140,7 +141,7 @@ std::vector<Piece> cut(const Source& source, std::string_view original) {
     for (std::size_t begin = 0; begin < source.bytes.size();) {
         const std::size_t line_end = source.bytes.find('\n', begin + piece_size);
         const std::size_t end = line_end == std::string_view::npos ? source.bytes.size() : line_end + 1;
-        pieces.push_back({begin, end, {}, TextStore(original), true, {}, 0, 0, nullptr});
+        pieces.push_back({begin, end, {}, TextStore(original), true, {}, {}, 0, 0, nullptr});
         begin = end;
     }
     return pieces;
@@ -161,13 +162,6 @@ void for_each_piece(std::vector<Piece>& pieces, F&& read) {
             std::rethrow_exception(piece.error);
 }
 
-void append(Polygons& all, const Polygons& part) {
-    const std::size_t before = all.corners.size();
-    all.corners.insert(all.corners.end(), part.corners.begin(), part.corners.end());
-    for (std::size_t end : part.ends)
-        all.ends.push_back(before + end);
-}
-
 Document read_statements(const Source& source, std::string_view original) {
     std::vector<Piece> pieces = cut(source, original);
     for_each_piece(pieces, [&](std::size_t p) { scan_vertices(source, pieces[p]); });
@@ -184,7 +178,6 @@ Document read_statements(const Source& source, std::string_view original) {
     document.positions.reserve(before.back());
     auto store = std::make_unique<TextStore>(original);
     store->reserve(before.back());
-    Polygons faces;
     for (Piece& piece : pieces) {
         if (!piece.faces.corners.empty() && piece.largest >= before.back())
             source.fail_in_line(piece.largest_at,
@@ -192,9 +185,12 @@ Document read_statements(const Source& source, std::string_view original) {
                                             std::size_t{piece.largest} + 1, before.back()));
         document.positions.insert(document.positions.end(), piece.positions.begin(), piece.positions.end());
         store->append(piece.store);
-        append(faces, piece.faces);
     }
-    document.triangles = triangulate(document.positions, faces);
+    for_each_piece(pieces, [&](std::size_t p) {
+        pieces[p].triangles = triangulate(document.positions, pieces[p].faces);
+    });
+    for (const Piece& piece : pieces)
+        document.triangles.insert(document.triangles.end(), piece.triangles.begin(), piece.triangles.end());
     document.store = std::move(store);
     return document;
 }
