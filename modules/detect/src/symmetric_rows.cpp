@@ -17,16 +17,23 @@ constexpr double least_weight = 1e-6, most_weight = 50;
 
 constexpr std::size_t row_block = 4096;
 
-/// Half the cotangents of a triangle's angles, each the weight of the edge across.
-std::array<double, 3> half_cotangents(const TriangleMesh& mesh, std::size_t f) {
-    const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
-    std::array<double, 3> weights;
-    for (int k = 0; k < 3; ++k) {
-        const Vec3& apex = mesh.positions[mesh.triangles[f][k]];
-        const Vec3 a = mesh.positions[mesh.triangles[f][(k + 1) % 3]] - apex,
-                   b = mesh.positions[mesh.triangles[f][(k + 2) % 3]] - apex;
-        weights[k] = std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight);
-    }
+/// Half the cotangents of the triangles' angles, #F by 3: each the weight of the edge across.
+template<typename Value>
+std::vector<std::array<Value, 3>> half_cotangents(const TriangleMesh& mesh) {
+    std::vector<std::array<Value, 3>> weights(mesh.triangles.size());
+    parallel_blocks(weights.size(), row_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
+            const Triangle& t = mesh.triangles[f];
+            for (std::size_t k = 0; k < 3; ++k) {
+                const Vec3& apex = mesh.positions[t[k]];
+                const Vec3 a = mesh.positions[t[(k + 1) % 3]] - apex,
+                           b = mesh.positions[t[(k + 2) % 3]] - apex;
+                weights[f][k] =
+                    static_cast<Value>(std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight));
+            }
+        }
+    });
     return weights;
 }
 
@@ -59,19 +66,19 @@ struct Entry {
 };
 
 /// One entry for each triangle at each edge of a vertex, by columns.
-void edge_entries(const TriangleMesh& mesh, std::span<const Index> triangles, Index v,
-                  std::vector<Entry>& entries) {
+template<typename Value>
+void edge_entries(const TriangleMesh& mesh, std::span<const std::array<Value, 3>> weights,
+                  std::span<const Index> triangles, Index v, std::vector<Entry>& entries) {
     entries.clear();
     for (const Index f : triangles) {
-        const std::array<double, 3> weights = half_cotangents(mesh, f);
         const Triangle& t = mesh.triangles[f];
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             const Index i = t[(k + 1) % 3], j = t[(k + 2) % 3];
             if (i == v || j == v)
-                entries.push_back({i == v ? j : i, -weights[k]});
+                entries.push_back({i == v ? j : i, -double{weights[f][k]}});
         }
     }
-    std::ranges::stable_sort(entries, {}, &Entry::column);
+    std::ranges::sort(entries, {}, &Entry::column); // two of a column, but where edges have more triangles
 }
 
 std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangles, Index v,
@@ -88,6 +95,7 @@ std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangle
 template<typename Value>
 SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
     const Incidence around(mesh);
+    const std::vector<std::array<Value, 3>> weights = half_cotangents<Value>(mesh);
     const std::size_t count = mesh.positions.size();
     SymmetricRowsOf<Value> rows;
     rows.diagonal.resize(count);
@@ -105,7 +113,7 @@ SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
     parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
         std::vector<Entry> entries;
         for (std::size_t v = begin; v < end; ++v) {
-            edge_entries(mesh, around.at(v), static_cast<Index>(v), entries);
+            edge_entries<Value>(mesh, weights, around.at(v), static_cast<Index>(v), entries);
             double diagonal = 0;
             Index place = rows.start[v];
             for (std::size_t i = 0; i < entries.size();) {

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/verdict.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
@@ -129,24 +130,40 @@ const Marker::Base& Marker::base() const {
 
 const masking::Budget& Marker::budget() const {
     const std::lock_guard lock(made_->guard);
+    return made_budget();
+}
+
+const masking::Budget& Marker::made_budget() const {
     if (!made_->budget)
         made_->budget = std::make_unique<masking::Budget>(mesh_);
     return *made_->budget;
 }
 
+/// What doesn't depend on each other is made at once, but on large meshes, where each takes memory while it is made.
+Marker::Carried Marker::fresh_carriers(unsigned level) const {
+    std::optional<Carried> fresh;
+    const auto make = [&] { fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_)}; };
+    if (sorted_.original.empty()) {
+        parallel_invoke([&] { made_budget(); }, make);
+        fresh->rows = rows(level, 0, mesh_.positions.size());
+    } else {
+        made_budget();
+        make();
+    }
+    return *std::move(fresh);
+}
+
 const Marker::Carried& Marker::carried(unsigned level) const {
-    const masking::Budget& seen = budget();
     const std::lock_guard lock(made_->guard);
     if (const auto found = made_->carried.find(level); found != made_->carried.end())
         return found->second;
-    Carried fresh{std::nullopt, masking::Carriers(mesh_, frame_)};
-    if (sorted_.original.empty())
-        fresh.rows = rows(level, 0, mesh_.positions.size());
+    Carried fresh = fresh_carriers(level);
     const std::vector<double> moves = fresh.carriers.carry(
         bumps(fresh, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)));
     if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0) {
         const auto trial = [&](double strength) { return moved(fresh.carriers, moves, strength / rms); };
-        fresh.usual_factor = seen.equalize(fresh.carriers, trial, default_visibility, first_strength) / rms;
+        fresh.usual_factor =
+            made_budget().equalize(fresh.carriers, trial, default_visibility, first_strength) / rms;
     }
     return made_->carried.emplace(level, std::move(fresh)).first->second;
 }

@@ -106,6 +106,8 @@ private:
     const TriangleMesh& canonical() const; ///< made at first need; `made_` has to be locked
     const Base& base() const;
     const masking::Budget& budget() const;
+    const masking::Budget& made_budget() const; ///< `made_` has to be locked
+    Carried fresh_carriers(unsigned level) const;
     const Carried& carried(unsigned level) const;
     sphere::SparseRows rows(unsigned level, std::size_t begin, std::size_t end) const;
     std::vector<double> bumps(const Carried& with, unsigned level, std::span<const double> w) const;
