@@ -154,7 +154,7 @@ Fit Budget::fit_near(const MarkOfStrength& mark, double budget, double guess) co
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
 /// where that is far.
 Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
-    constexpr double near = 0.25; // in the logarithm of the strength
+    constexpr double near = 0.35; // in the logarithm of the strength
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const metrics::Msdm2Sample all = look(mark(fit.strength), final_windows());
         const Fit full{fit.strength, all.mean, fit.evaluations + 1, false};
