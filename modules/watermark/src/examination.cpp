@@ -157,6 +157,11 @@ std::vector<sphere::SparseRows> Examination::rows(std::size_t pose, std::span<co
 }
 
 sphere::SparseRows Examination::rows(std::size_t pose, unsigned level) const {
+    if (pose == 0) {
+        const auto found = std::ranges::find(levels_of(0), level);
+        if (found != levels_of(0).end())
+            return first_rows_[static_cast<std::size_t>(found - levels_of(0).begin())];
+    }
     return std::move(rows(pose, std::span(&level, 1)).front());
 }
 
@@ -166,11 +171,17 @@ void Examination::make_family() {
     parallel_blocks(poses_.size(), 1, [&](std::size_t pose, std::size_t) {
         if (leaders[pose].axis)
             return;
-        add_hypotheses(of_pose[pose], pose, nullptr);
+        std::vector<sphere::SparseRows> at_vertices = rows(pose, levels_of(pose));
+        add_hypotheses(of_pose[pose], pose, at_vertices, nullptr);
+        if (pose == 0)
+            first_rows_ = std::move(at_vertices);
         if (base_vertices_ >= coarse_vertices)
             return;
         const detect::CellSamples samples(view(pose).base, cell_samples);
-        add_hypotheses(of_pose[pose], pose, &samples);
+        add_hypotheses(of_pose[pose], pose,
+                       sphere::barycentric_rows(finest_, turned(samples.positions(), poses_[pose].turn),
+                                                levels_of(pose)),
+                       &samples);
     });
     std::array<std::shared_ptr<const std::vector<Index>>, 3> turns;
     if (std::ranges::any_of(leaders, [](const Leader& l) {
@@ -210,12 +221,14 @@ std::vector<Examination::Leader> Examination::leading_poses() const {
     return leaders;
 }
 
+const std::vector<unsigned>& Examination::levels_of(std::size_t pose) const {
+    return poses_[pose].candidate.likely ? options_.levels : usual_levels_;
+}
+
 void Examination::add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
+                                 std::span<const sphere::SparseRows> of_level,
                                  const detect::CellSamples* samples) const {
-    const std::vector<Vec3>& places = samples ? samples->positions() : view(pose).base.positions;
-    const std::vector<unsigned>& levels = poses_[pose].candidate.likely ? options_.levels : usual_levels_;
-    const std::vector<sphere::SparseRows> of_level =
-        sphere::barycentric_rows(finest_, turned(places, poses_[pose].turn), levels);
+    const std::vector<unsigned>& levels = levels_of(pose);
     const detect::Evidence& seen = evidence(pose);
     const std::size_t filters = seen.filters();
     std::vector<std::optional<detect::LinearStatistic>> statistics(levels.size() * filters);

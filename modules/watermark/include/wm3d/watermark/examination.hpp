@@ -117,8 +117,10 @@ private:
 
     void make_family();
     std::vector<Leader> leading_poses() const;
-    /// At the vertices, or around them where samples are given.
+    const std::vector<unsigned>& levels_of(std::size_t pose) const;
+    /// At the vertices, or around them where samples are given; `of_level` has B for either.
     void add_hypotheses(std::vector<detect::Hypothesis>& hypotheses, std::size_t pose,
+                        std::span<const sphere::SparseRows> of_level,
                         const detect::CellSamples* samples) const;
 
     ExaminationOptions options_;
@@ -133,6 +135,8 @@ private:
     std::vector<View> views_;
     std::vector<Pose> poses_;
     std::vector<detect::Hypothesis> family_;
+    std::vector<sphere::SparseRows>
+        first_rows_; ///< of the first pose, which is asked for again: what is told of it
 };
 
 } // namespace wm3d::watermark
