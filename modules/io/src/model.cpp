@@ -71,8 +71,9 @@ PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view
                                impl_->resolver, output_name);
 }
 
-Model Model::read_back(const PatchedFiles& files) const {
-    const Resolver written_or_beside = [&](std::string_view uri) {
+/// Reads the files beside a patched one, as they are written or as they were.
+Resolver Model::written_or_beside(const PatchedFiles& files) const {
+    return [this, &files](std::string_view uri) {
         for (const SideFile& side : files.side_files)
             if (side.name == uri)
                 return side.bytes;
@@ -81,7 +82,17 @@ Model Model::read_back(const PatchedFiles& files) const {
                 fmt::format("{}: nothing is known of its buffer {}", impl_->name, printable(uri)));
         return impl_->resolver(uri);
     };
-    return parse(files.bytes, impl_->format, impl_->name, written_or_beside, impl_->limits);
+}
+
+Model Model::read_back(const PatchedFiles& files) const {
+    return parse(files.bytes, impl_->format, impl_->name, written_or_beside(files), impl_->limits);
+}
+
+TriangleMesh Model::reread(PatchedFiles& files) const {
+    Model written =
+        parse(std::move(files.bytes), impl_->format, impl_->name, written_or_beside(files), impl_->limits);
+    files.bytes = std::move(written.impl_->bytes);
+    return std::move(written).take_mesh();
 }
 
 Vec3 largest_coordinates(const TriangleMesh& mesh) {

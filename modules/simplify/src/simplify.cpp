@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/simplify/simplify.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "canonical.hpp"
 #include "decimator.hpp"
+#include "thinning.hpp"
 
 namespace wm3d::simplify {
 
@@ -96,20 +98,40 @@ struct Workplace {
     std::size_t faces = 0;
     Surface surface;
     Sites sites;
+    std::size_t removed = 0;  ///< vertices, by thinning
+    double largest_error = 0; ///< of it
 };
 
-Workplace prepare(const TriangleMesh& mesh, const Options& options) {
+bool is_dense(const Canonical& mesh, const Options& options) {
+    constexpr std::size_t much_more = 8; // than what will be left
+    return mesh.positions.size() >= options.thinned_from &&
+           mesh.positions.size() / much_more >= options.target_vertices;
+}
+
+/// \param may_thin  collapses needn't come in the order of their costs over all of the mesh
+Workplace prepare(const TriangleMesh& mesh, const Options& options, bool may_thin) {
     Canonical input = canonical_order(mesh);
+    const Thinning thinned = may_thin && is_dense(input, options) ? thin(input, options) : Thinning{};
     const std::size_t faces = input.triangles.size();
     Surface surface = build_surface(std::exchange(input.triangles, {}), input.positions);
     Sites sites = build_sites(surface, std::move(input.positions), options);
-    return {std::move(input.input_vertex), input.scale, faces, std::move(surface), std::move(sites)};
+    for (const Standing& s : thinned.standing) {
+        sites.quadric[s.vertex] = s.quadric;
+        sites.site[s.vertex].constant = s.constant;
+    }
+    return {std::move(input.input_vertex),
+            input.scale,
+            faces,
+            std::move(surface),
+            std::move(sites),
+            thinned.removed,
+            thinned.largest_error};
 }
 
 Result run(const TriangleMesh& mesh, const Options& options, Observer* observer, const Progress& progress) {
     check(options);
     notify(progress, "simplify", 0);
-    Workplace work = prepare(mesh, options);
+    Workplace work = prepare(mesh, options, observer == nullptr);
     std::optional<Snapshot> snapshot;
     if (observer) {
         snapshot.emplace(work.input_vertex, work.surface, work.sites, work.faces);
@@ -121,9 +143,10 @@ Result run(const TriangleMesh& mesh, const Options& options, Observer* observer,
         result.stop = Stop::already_small;
     } else {
         Decimator decimator(work.surface.rings, work.sites, options, observer);
-        result.collapses = decimator.remove(vertices - options.target_vertices, progress);
-        result.error = std::sqrt(decimator.largest_error()) * work.scale;
-        result.stop = vertices - result.collapses == options.target_vertices ? Stop::reached : Stop::blocked;
+        const std::size_t removed = decimator.remove(vertices - options.target_vertices, progress);
+        result.collapses = work.removed + removed;
+        result.error = std::sqrt(std::max(work.largest_error, decimator.largest_error())) * work.scale;
+        result.stop = vertices - removed == options.target_vertices ? Stop::reached : Stop::blocked;
     }
     const Numbering numbering = number_survivors(work.surface.rings, work.surface.source);
     std::vector<Index> faces;

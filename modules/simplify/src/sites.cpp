@@ -61,6 +61,9 @@ Sites build_sites(const Surface& surface, std::vector<Vec3> positions, const Opt
     out.kind.resize(count);
     parallel_blocks(count, site_block, [&](std::size_t begin, std::size_t end) {
         for (auto v = static_cast<Index>(begin); v < end; ++v) {
+            out.kind[v] = Kind::locked;
+            if (!surface.rings.alive(v)) // nothing is known around it
+                continue;
             out.quadric[v] = initial_quadric(surface.rings.of(v), out.site, v, options);
             out.kind[v] = kind_of(surface, v);
         }

@@ -73,53 +73,6 @@ struct Wedges {
     }
 };
 
-/// The rings of a mesh that is a consistently oriented manifold, which is known by looking at one vertex at a
-/// time. Nothing if it is not, or if a vertex has very many triangles.
-std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    const Corners by = corners_by_vertex(triangles, vertices);
-    std::vector<Index> sizes(vertices);
-    std::vector<Triangle> ordered(by.corners.size());
-    std::atomic<bool> manifold = true;
-    parallel_blocks(vertices, vertex_block, [&](std::size_t begin, std::size_t end) {
-        Wedges wedges;
-        std::array<unsigned char, many> order;
-        for (std::size_t v = begin; v < end && manifold; ++v) {
-            wedges.clear();
-            if (by.start[v + 1] - by.start[v] > many) {
-                manifold = false;
-                return;
-            }
-            for (Index i = by.start[v]; i < by.start[v + 1]; ++i) {
-                const Index h = by.corners[i];
-                const Triangle& t = triangles[h / 3];
-                wedges.add(t[next(h) % 3], t[previous(h) % 3], h);
-            }
-            if (!wedges.chain(order)) {
-                manifold = false;
-                return;
-            }
-            const bool closed = wedges.to[order[wedges.size - 1]] == wedges.from[order[0]];
-            sizes[v] = static_cast<Index>(wedges.size) + (closed ? 0 : 1);
-            for (std::size_t i = 0; i < wedges.size; ++i)
-                ordered[by.start[v] + i] = {wedges.from[order[i]], wedges.to[order[i]],
-                                            wedges.corner[order[i]]};
-        }
-    });
-    if (!manifold)
-        return std::nullopt;
-    Rings rings(sizes);
-    parallel_blocks(vertices, vertex_block, [&](std::size_t begin, std::size_t end) {
-        for (auto v = static_cast<Index>(begin); v < end; ++v) {
-            Spoke* spoke = rings.ring(v).data();
-            for (Index i = by.start[v]; i < by.start[v + 1]; ++i)
-                *spoke++ = {ordered[i][0], ordered[i][2]};
-            if (sizes[v] > by.start[v + 1] - by.start[v])
-                *spoke = {ordered[by.start[v + 1] - 1][1], no_index};
-        }
-    });
-    return rings;
-}
-
 /// Calls visit(neighbour, corner) for each spoke of v.
 template<typename Visit>
 void walk(const HalfEdges& mesh, Index v, Visit&& visit) {
@@ -148,8 +101,54 @@ Rings rings_of(const HalfEdges& mesh) {
 
 } // namespace
 
+std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
+                                       std::size_t wanted) {
+    const Corners by = corners_by_vertex(triangles, vertices);
+    std::vector<Index> sizes(vertices, 0);
+    std::vector<Triangle> ordered(by.corners.size());
+    std::atomic<bool> manifold = true;
+    parallel_blocks(wanted, vertex_block, [&](std::size_t begin, std::size_t end) {
+        Wedges wedges;
+        std::array<unsigned char, many> order;
+        for (std::size_t v = begin; v < end && manifold; ++v) {
+            wedges.clear();
+            if (by.start[v + 1] - by.start[v] > many) {
+                manifold = false;
+                return;
+            }
+            for (Index i = by.start[v]; i < by.start[v + 1]; ++i) {
+                const Index h = by.corners[i];
+                const Triangle& t = triangles[h / 3];
+                wedges.add(t[next(h) % 3], t[previous(h) % 3], h);
+            }
+            if (!wedges.chain(order)) {
+                manifold = false;
+                return;
+            }
+            const bool closed = wedges.to[order[wedges.size - 1]] == wedges.from[order[0]];
+            sizes[v] = static_cast<Index>(wedges.size) + (closed ? 0 : 1);
+            for (std::size_t i = 0; i < wedges.size; ++i)
+                ordered[by.start[v] + i] = {wedges.from[order[i]], wedges.to[order[i]],
+                                            wedges.corner[order[i]]};
+        }
+    });
+    if (!manifold)
+        return std::nullopt;
+    Rings rings(sizes);
+    parallel_blocks(wanted, vertex_block, [&](std::size_t begin, std::size_t end) {
+        for (auto v = static_cast<Index>(begin); v < end; ++v) {
+            Spoke* spoke = rings.ring(v).data();
+            for (Index i = by.start[v]; i < by.start[v + 1]; ++i)
+                *spoke++ = {ordered[i][0], ordered[i][2]};
+            if (sizes[v] > by.start[v + 1] - by.start[v])
+                *spoke = {ordered[by.start[v + 1] - 1][1], no_index};
+        }
+    });
+    return rings;
+}
+
 Surface build_surface(std::vector<Triangle> triangles, const std::vector<Vec3>& positions) {
-    if (std::optional<Rings> rings = rings_of_manifold(triangles, positions.size())) {
+    if (std::optional<Rings> rings = rings_of_manifold(triangles, positions.size(), positions.size())) {
         std::vector<Index> source(positions.size());
         std::iota(source.begin(), source.end(), Index{0});
         return {std::move(*rings), std::move(source), std::vector<bool>(positions.size(), false)};

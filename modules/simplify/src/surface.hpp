@@ -2,6 +2,8 @@
 /// \file  From triangles to the manifold surface that is simplified.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
@@ -23,5 +25,11 @@ struct Surface {
 /// open; each fan of triangles around a vertex then becomes a vertex of its own.
 /// \pre  no triangle repeats a corner or the corners of another; every vertex has a triangle
 Surface build_surface(std::vector<Triangle> triangles, const std::vector<Vec3>& positions);
+
+/// The rings of the first `wanted` vertices of a mesh, if it is a consistently oriented manifold there, which is known by
+/// looking at one vertex at a time; the others have empty ones. Nothing if it is not, or if a vertex has very many
+/// triangles.
+std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
+                                       std::size_t wanted);
 
 } // namespace wm3d::simplify

@@ -89,11 +89,10 @@ bool would_do(const io::Model& model, const Marker& marker, const key::Key& key,
               const MarkModelOptions& options, const VerifyOptions& check, const Progress& progress) {
     try {
         const Marked marked = marker.mark(key.secret(), mark_setting(model.mesh(), key, options.mark));
-        const io::PatchedFiles files =
-            model.patched_files(marked.positions, options.output_name, options.normals);
-        const io::Model written = model.read_back(files);
+        io::PatchedFiles files = model.patched_files(marked.positions, options.output_name, options.normals);
+        const TriangleMesh written = model.reread(files);
         const VerifyReport report =
-            self_check(prepare_suspect(written.mesh(), check.vertices), marked, key, check, progress);
+            self_check(prepare_suspect(written, check.vertices), marked, key, check, progress);
         return report.verdict == detect::Verdict::present && is_readable(report, key, options.mark);
     } catch (const TooVisible&) {
         return false;
@@ -269,14 +268,14 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         return result;
     }
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
-    io::Model written = model.read_back(result.files);
-    if (!is_same_surface(written.mesh(), model.mesh())) {
+    TriangleMesh written = model.reread(result.files);
+    if (!is_same_surface(written, model.mesh())) {
         result.marked.positions = kept_apart(model, std::move(result.marked.positions));
         result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
-        written = model.read_back(result.files);
+        written = model.reread(result.files);
     }
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
-    const Suspect suspect = prepare_suspect(written.mesh(), check.vertices, progress);
+    const Suspect suspect = prepare_suspect(written, check.vertices, progress);
     const Marked& marked = result.marked;
     std::vector<Rehearsed> rehearsed;
     parallel_invoke(

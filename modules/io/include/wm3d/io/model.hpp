@@ -85,9 +85,14 @@ public:
     /// \throw InputError  as `parse`
     Model read_back(const PatchedFiles& files) const;
 
+    /// The surface of `read_back`, without a copy of the file's bytes.
+    /// \throw InputError  as `parse`; the files are of no use any more then
+    TriangleMesh reread(PatchedFiles& files) const;
+
 private:
     struct Impl;
     explicit Model(std::unique_ptr<Impl> impl);
+    std::function<std::string(std::string_view)> written_or_beside(const PatchedFiles& files) const;
     friend Model parse(std::string, Format, std::string, const std::function<std::string(std::string_view)>&,
                        const Limits&);
     std::unique_ptr<Impl> impl_;
