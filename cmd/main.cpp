@@ -8,7 +8,7 @@
 int main(int argc, char** argv) {
 #ifdef __GLIBC__
     // Else each large block that is freed teaches glibc to keep the next: a sixth of verify's memory on dense models.
-    mallopt(M_MMAP_THRESHOLD, 8 << 20);
+    mallopt(M_MMAP_THRESHOLD, 2 << 20);
     // And each smaller one that is freed would go back to the system, to come again page by page.
     mallopt(M_TRIM_THRESHOLD, 32 << 20);
 #endif

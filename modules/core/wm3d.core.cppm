@@ -28,6 +28,7 @@ using wm3d::parallel_sum;
 using wm3d::parallel_tasks;
 using wm3d::ParameterError;
 using wm3d::Progress;
+using wm3d::return_freed_memory;
 using wm3d::split_mix;
 using wm3d::split_mix_finalizer;
 using wm3d::split_mix_step;

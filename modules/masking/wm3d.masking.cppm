@@ -61,6 +61,7 @@ using wm3d::principal_axes;
 using wm3d::principal_frame;
 using wm3d::Progress;
 using wm3d::Reordered;
+using wm3d::return_freed_memory;
 using wm3d::shape_moments;
 using wm3d::ShapeMoments;
 using wm3d::Side;

@@ -191,11 +191,6 @@ void MultilevelDiffusion::cycle(float t, std::size_t level, std::vector<Scratch>
     for_each_row(count, step);
 }
 
-void MultilevelDiffusion::precondition(double t, std::span<const double> r, std::vector<Scratch>& at) const {
-    for_each_row(r.size(), [&](std::size_t i) { at[0].right[i] = static_cast<float>(r[i]); });
-    cycle(static_cast<float>(t), 0, at);
-}
-
 int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolerance, int most) const {
     const auto& [mass, laplacian, parent] = levels_.front();
     const std::size_t count = x.size();
@@ -206,7 +201,8 @@ int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolera
         scratch.push_back({std::vector<float>(rows), std::vector<float>(rows), std::vector<float>(rows)});
     }
     const std::vector<float>& z = scratch.front().solution;
-    std::vector<double> r(count), p(count, 0.0), q(count);
+    std::vector<double> r(count), p(count, 0.0);
+    std::vector<float> q(count); // its rounding is nothing beside the tolerance
     const double right = sum_over(count, [&](std::size_t i) {
         const double y = static_cast<double>(mass[i]) * x[i];
         r[i] = y - row_times<double>(mass, laplacian, t, i, x);
@@ -216,19 +212,21 @@ int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolera
     double before = 0;
     int steps = 0;
     for (; steps < most && left > tolerance * tolerance * right; ++steps) {
-        precondition(t, r, scratch);
+        for_each_row(count, [&](std::size_t i) { scratch[0].right[i] = static_cast<float>(r[i]); });
+        cycle(static_cast<float>(t), 0, scratch);
         const double rz = sum_over(count, [&](std::size_t i) { return r[i] * static_cast<double>(z[i]); });
         const double beta = steps == 0 ? 0 : rz / before;
         for_each_row(count, [&](std::size_t i) { p[i] = static_cast<double>(z[i]) + beta * p[i]; });
         const double pq = sum_over(count, [&](std::size_t i) {
-            q[i] = row_times<double>(mass, laplacian, t, i, p);
-            return p[i] * q[i];
+            const double product = row_times<double>(mass, laplacian, t, i, p);
+            q[i] = static_cast<float>(product);
+            return p[i] * product;
         });
         const double alpha = rz / pq;
         before = rz;
         left = sum_over(count, [&](std::size_t i) {
             x[i] += alpha * p[i];
-            r[i] -= alpha * q[i];
+            r[i] -= alpha * static_cast<double>(q[i]);
             return r[i] * r[i];
         });
     }

@@ -14,7 +14,7 @@ namespace wm3d::detect {
 /// The system M + tL with a hierarchy over it, by aggregation: a vertex and its neighbours are one row of the next level,
 /// and so on. Conjugate gradients are preconditioned by a V-cycle over the levels (W. L. Briggs, V. E. Henson,
 /// S. F. McCormick, "A Multigrid Tutorial", 2000), with a damped Jacobi step on either way. Entries are in single
-/// precision, all vectors of the conjugate gradients in double. The same bytes at any number of threads.
+/// precision, the vectors that add up in double. The same bytes at any number of threads.
 class MultilevelDiffusion {
 public:
     /// \param mass  diagonal of M, #V, all > 0
@@ -35,7 +35,6 @@ private:
         std::vector<float> right, solution, residual;
     };
 
-    void precondition(double t, std::span<const double> r, std::vector<Scratch>& at) const;
     void cycle(float t, std::size_t level, std::vector<Scratch>& at) const;
 
     double unit_ = 1; ///< mean mass: what is in single precision is of the order of 1 in any unit of length

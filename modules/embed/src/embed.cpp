@@ -68,8 +68,11 @@ std::vector<Vec3> DetailedMesh::reconstruct(std::span<const Vec3> moved_base) co
 }
 
 Distortion distortion(const TriangleMesh& mesh, std::span<const Vec3> moved) {
+    return distortion(mesh, moved, vertex_normals(mesh));
+}
+
+Distortion distortion(const TriangleMesh& mesh, std::span<const Vec3> moved, std::span<const Vec3> normals) {
     require_same(mesh.positions.size(), moved.size(), "the moved mesh needs the same vertices");
-    const std::vector<Vec3> normals = vertex_normals(mesh);
     const std::vector<double> areas = vertex_areas(mesh);
     Distortion d;
     double area = 0, along_normal = 0, squares = 0;

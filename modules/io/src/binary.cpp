@@ -116,8 +116,21 @@ double step_near(Scalar type, double magnitude) {
     });
 }
 
+void RecordPlaces::add(std::size_t offset) {
+    if (size_ == 0)
+        first_ = offset;
+    if (size_ == 1)
+        step_ = offset - first_;
+    if (listed_.empty() && offset != (*this)[size_])
+        for (std::size_t i = 0; i < size_; ++i)
+            listed_.push_back(first_ + i * step_);
+    if (!listed_.empty())
+        listed_.push_back(offset);
+    ++size_;
+}
+
 Vec3 BinaryStore::add(std::size_t offset) {
-    records_.push_back(offset);
+    records_.add(offset);
     Vec3 position;
     for (std::size_t k = 0; k < 3; ++k)
         position[static_cast<int>(k)] =

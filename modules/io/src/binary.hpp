@@ -37,6 +37,18 @@ constexpr bool swaps(std::endian file) {
     return file != std::endian::native;
 }
 
+/// Where records begin in a file: evenly spaced, as nearly always, or listed.
+class RecordPlaces {
+public:
+    void add(std::size_t offset);
+    std::size_t size() const { return size_; }
+    std::size_t operator[](std::size_t i) const { return listed_.empty() ? first_ + i * step_ : listed_[i]; }
+
+private:
+    std::size_t first_ = 0, step_ = 0, size_ = 0;
+    std::vector<std::size_t> listed_; ///< empty as long as they are evenly spaced
+};
+
 /// Coordinates as numbers at computed or listed places of a binary file.
 class BinaryStore final : public CoordinateStore {
 public:
@@ -48,7 +60,7 @@ public:
 
     BinaryStore(std::string_view bytes, const Layout& layout) : bytes_(bytes), layout_(layout) {}
 
-    void reserve(std::size_t slots) { records_.reserve(slots); }
+    void reserve(std::size_t) {}
     /// Adds the slot whose record starts at `offset`.
     /// \return its position
     Vec3 add(std::size_t offset);
@@ -61,7 +73,7 @@ public:
 private:
     std::string_view bytes_;
     Layout layout_;
-    std::vector<std::size_t> records_;
+    RecordPlaces records_;
 };
 
 } // namespace wm3d::io

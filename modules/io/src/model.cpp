@@ -181,7 +181,7 @@ Model parse(std::string bytes, Format format, std::string name, const Resolver& 
     Document document = read_document(source, format, resolver, limits);
     if (document.triangles.empty())
         source.fail("the file holds no faces, so there is no surface to work on");
-    impl->welded = weld(document.positions, document.triangles);
+    impl->welded = weld(std::move(document.positions), std::move(document.triangles));
     impl->store = std::move(document.store);
     return Model(std::move(impl));
 }

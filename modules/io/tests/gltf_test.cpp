@@ -142,6 +142,9 @@ TEST_CASE(
     asked.clear();
     CHECK(model.read_back(files).mesh().triangles == model.mesh().triangles);
     CHECK(asked == std::vector<std::string>{"triangles.bin"});
+    PatchedFiles same = files;
+    CHECK(model.reread(same).positions == model.read_back(files).mesh().positions);
+    CHECK(same.bytes == files.bytes);
     refuses = true;
     CHECK_THROWS_WITH_AS(model.read_back(files), doctest::Contains("outside"), InputError);
 }

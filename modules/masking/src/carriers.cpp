@@ -14,11 +14,11 @@ namespace {
 /// Of averages that weigh the mask.
 constexpr double spread_tolerance = 1e-4;
 
-/// Median over the vertices that have an area.
-double typical_value(std::span<const double> x, std::span<const double> area) {
+/// Median over the vertices that have a normal, and so triangles.
+double typical_value(std::span<const double> x, std::span<const Vec3> normals) {
     std::vector<double> used;
     for (std::size_t i = 0; i < x.size(); ++i)
-        if (area[i] > 0)
+        if (normals[i] != Vec3::Zero())
             used.push_back(x[i]);
     if (used.empty())
         return 0;
@@ -55,11 +55,19 @@ std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Ve
     return e;
 }
 
+/// The low pass of one vector, which is not copied.
+std::vector<double> low_pass_of(const detect::SurfaceFilter& surface, double t, std::vector<double> x,
+                                double tolerance) {
+    std::vector<std::vector<double>> vectors;
+    vectors.push_back(std::move(x)); // a list in braces would copy it
+    return std::move(surface.low_pass(t, std::move(vectors), tolerance).front());
+}
+
 /// Root of the local mean of the squares.
 std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter& surface, double t) {
     for (double& value : x)
         value *= value;
-    std::vector<double> result = surface.low_pass(t, {std::move(x)}, spread_tolerance).front();
+    std::vector<double> result = low_pass_of(surface, t, std::move(x), spread_tolerance);
     for (double& value : result)
         value = std::sqrt(std::max(value, 0.0));
     return result;
@@ -69,27 +77,28 @@ std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter
 
 Carriers::Carriers(const TriangleMesh& mesh, const Frame& frame, const MaskOptions& options)
     : options_(options), unit_(frame.scale), surface_(mesh), normals_(vertex_normals(mesh)),
-      area_(vertex_areas(mesh)), visibility_(mesh.positions.size()),
+      visibility_(mesh.positions.size()),
       mask_(local_rms(normal_residual(mesh, normals_, surface_, diffusion(options.residual_t)), surface_,
                       diffusion(options.spread_t))) {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
-        visibility_[i] = normals_[i].dot((mesh.positions[i] - frame.centroid).normalized());
+        visibility_[i] =
+            static_cast<float>(normals_[i].dot((mesh.positions[i] - frame.centroid).normalized()));
     const double typical =
-        std::max(typical_value(mask_, area_), options_.least_typical * area_rms(mask_, area_));
+        std::max(typical_value(mask_, normals_), options_.least_typical * area_rms(mask_, surface_.mass()));
     for (std::size_t i = 0; i < mask_.size(); ++i)
-        mask_[i] = area_[i] > 0 ? (typical > 0 ? mask_[i] / typical : 0) + options_.floor : 0;
+        mask_[i] = normals_[i] != Vec3::Zero() ? (typical > 0 ? mask_[i] / typical : 0) + options_.floor : 0;
     limit();
 }
 
 void Carriers::limit() {
-    const double most = options_.most * area_rms(mask_, area_);
+    const double most = options_.most * area_rms(mask_, surface_.mass());
     for (double& value : mask_)
         value = std::min(value, most);
 }
 
 std::vector<double> Carriers::bumps(std::vector<double> heights) const {
     for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] *= visibility_[i];
+        heights[i] *= static_cast<double>(visibility_[i]);
     return heights;
 }
 
@@ -98,8 +107,8 @@ std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<co
 }
 
 std::vector<double> Carriers::carry(std::vector<double> bumps) const {
-    std::vector<double> x =
-        std::move(surface_.low_pass(diffusion(options_.carrier_t), {std::move(bumps)}).front());
+    std::vector<double> x = low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps),
+                                        detect::SurfaceFilter::usual_tolerance);
     for (std::size_t i = 0; i < x.size(); ++i)
         x[i] *= mask_[i];
     return x;
@@ -113,13 +122,13 @@ void Carriers::equalize(std::span<const Index> vertices, std::span<const double>
     constexpr double least_seen = 0.02; // of the target: what is seen less is not told apart
     constexpr double weakest = 0.04, strongest = 5;
     constexpr double nowhere = 1e-4; // share of sampled vertices around, as good as none
-    std::vector<double> there(mask_.size(), 0.0), known(mask_.size(), 0.0);
+    std::vector<std::vector<double>> spread(
+        2, std::vector<double>(mask_.size(), 0.0)); // what is seen, and whether it is known
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        there[vertices[i]] = seen[i];
-        known[vertices[i]] = 1;
+        spread[0][vertices[i]] = seen[i];
+        spread[1][vertices[i]] = 1;
     }
-    const std::vector<std::vector<double>> spread = surface_.low_pass(
-        diffusion(options_.spread_t), {std::move(there), std::move(known)}, spread_tolerance);
+    spread = surface_.low_pass(diffusion(options_.spread_t), std::move(spread), spread_tolerance);
     for (std::size_t i = 0; i < mask_.size(); ++i) {
         const double around = spread[1][i] > nowhere ? spread[0][i] / spread[1][i] : target;
         mask_[i] *= std::clamp(std::sqrt(target / std::max(around, least_seen * target)), weakest, strongest);
@@ -135,7 +144,7 @@ void Carriers::silence(std::span<const char> still) {
 }
 
 double Carriers::rms(std::span<const double> moves) const {
-    return area_rms(moves, area_);
+    return area_rms(moves, surface_.mass());
 }
 
 } // namespace wm3d::masking

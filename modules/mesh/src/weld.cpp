@@ -71,26 +71,33 @@ std::vector<Index> first_equal(std::span<const Vec3> positions) {
 } // namespace
 
 Welded weld(std::span<const Vec3> positions, std::span<const Triangle> triangles) {
+    return weld(std::vector(positions.begin(), positions.end()),
+                std::vector(triangles.begin(), triangles.end()));
+}
+
+Welded weld(std::vector<Vec3>&& positions, std::vector<Triangle>&& triangles) {
     if (positions.size() >= no_index)
         throw GeometryError(
             "the mesh has more than 4 294 967 294 vertices, which is more than wm3d can number");
-    Welded welded;
-    welded.vertex_of = first_equal(positions);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    Welded welded{{std::move(positions), std::move(triangles)}, {}};
+    std::vector<Vec3>& places = welded.mesh.positions;
+    welded.vertex_of = first_equal(places);
+    Index count = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
         Index& v = welded.vertex_of[i];
         if (v == i) {
-            v = static_cast<Index>(welded.mesh.positions.size());
-            welded.mesh.positions.push_back(positions[i]);
+            v = count++;
+            places[v] = places[i];
         } else {
             v = welded.vertex_of[v]; // already renumbered: it comes earlier
         }
     }
-    welded.mesh.triangles.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-        const Triangle w{welded.vertex_of[t[0]], welded.vertex_of[t[1]], welded.vertex_of[t[2]]};
-        if (w[0] != w[1] && w[1] != w[2] && w[2] != w[0])
-            welded.mesh.triangles.push_back(w);
-    }
+    places.resize(count);
+    for (Triangle& t : welded.mesh.triangles)
+        for (Index& v : t)
+            v = welded.vertex_of[v];
+    std::erase_if(welded.mesh.triangles,
+                  [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
     return welded;
 }
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 #include <span>
 #include <utility>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/memory.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
@@ -100,10 +102,11 @@ struct Msdm2Patches::Prepared {
     const TriangleMesh& reference;
     Msdm2Options options;
     SurfacePatches patches;
-    double side;                      ///< S
-    double around = 0;                ///< windows, what a patch has
-    double in_window;                 ///< vertices of the widest, about
-    mutable std::vector<Known> known; ///< of the reference, #V
+    double side;       ///< S
+    double around = 0; ///< windows, what a patch has
+    double in_window;  ///< vertices of the widest, about
+    mutable std::once_flag looked;
+    mutable std::vector<Known> known; ///< of the reference, #V; made at the first look
 
     Prepared(const TriangleMesh& mesh, const Msdm2Options& chosen);
 
@@ -125,8 +128,7 @@ struct Msdm2Patches::Prepared {
 };
 
 Msdm2Patches::Prepared::Prepared(const TriangleMesh& mesh, const Msdm2Options& chosen)
-    : reference(mesh), options(chosen), patches(mesh), side(longest_side(mesh)),
-      known(mesh.positions.size(), Known{NAN, NAN, NAN}) {
+    : reference(mesh), options(chosen), patches(mesh), side(longest_side(mesh)) {
     if (mesh.triangles.empty())
         throw GeometryError("the mesh has no triangle, so there is nothing to see; check that the file holds "
                             "the model that you mean");
@@ -250,6 +252,7 @@ std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& disto
 
 Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, std::vector<Index> vertices,
                                            std::size_t stride) const {
+    std::call_once(looked, [&] { known.assign(reference.positions.size(), Known{NAN, NAN, NAN}); });
     Msdm2Sample sample;
     sample.vertices = std::move(vertices);
     sample.local.resize(sample.vertices.size());
@@ -262,6 +265,7 @@ Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, s
             sample.local[static_cast<std::size_t>(at - sample.vertices.begin())] = local[i];
         }
     });
+    return_freed_memory(); // of the patches
     sample.mean = minkowski_mean(sample.local, options.exponent);
     return sample;
 }

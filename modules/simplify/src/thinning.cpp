@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include <wm3d/core/memory.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/simplify/simplify.hpp>
 
@@ -112,9 +113,8 @@ struct ThinnedBlock {
 };
 
 /// Thins a block down to a share of those of its vertices that may go, or as far as that goes, and writes its own
-/// triangles anew; those that reach into other blocks stay as they are.
-ThinnedBlock thin_block(const Block& block, double share, const Canonical& mesh, const Options& options,
-                        std::vector<Triangle>& triangles) {
+/// triangles anew; those that reach into other blocks, and that other blocks read, stay as they are.
+ThinnedBlock thin_block(const Block& block, double share, Canonical& mesh, const Options& options) {
     const std::size_t inside = block.end - block.begin;
     ThinnedBlock result;
     Piece piece = piece_of(block, mesh);
@@ -134,7 +134,7 @@ ThinnedBlock thin_block(const Block& block, double share, const Canonical& mesh,
     const auto whole = [&](Index v) { return static_cast<Index>(block.begin) + v; };
     for (std::size_t i = 0; i < block.faces.size(); ++i)
         if (std::ranges::all_of(piece.triangles[i], [&](Index v) { return v < inside; }))
-            triangles[block.faces[i]] = gone;
+            mesh.triangles[block.faces[i]] = gone;
     for (Index v = 0; v < inside; ++v) {
         if (!surface.rings.alive(v)) {
             result.removed.push_back(whole(v));
@@ -143,7 +143,7 @@ ThinnedBlock thin_block(const Block& block, double share, const Canonical& mesh,
         result.standing.push_back({whole(v), sites.quadric[v], sites.site[v].constant});
         for (const Spoke& s : surface.rings.of(v))
             if (s.corner != no_index)
-                triangles[block.faces[s.corner / 3]][s.corner % 3] = whole(v);
+                mesh.triangles[block.faces[s.corner / 3]][s.corner % 3] = whole(v);
     }
     return result;
 }
@@ -181,16 +181,15 @@ Thinning thin(Canonical& input, const Options& options, std::size_t block) {
     const auto target = static_cast<double>(options.target_vertices);
     const double number = target / static_cast<double>(input.positions.size());
     std::vector<ThinnedBlock> thinned(blocks.size());
-    std::vector<Triangle> triangles = input.triangles;
     parallel_tasks(blocks.size(), [&](std::size_t b) {
         const Block& each = blocks[b];
         const double needed =
             need > 0 ? target * each.need / need / static_cast<double>(each.end - each.begin) : 0;
-        thinned[b] =
-            thin_block(each, std::max(by_number * number, by_need * needed), input, options, triangles);
+        thinned[b] = thin_block(each, std::max(by_number * number, by_need * needed), input, options);
     });
-    input.triangles = std::move(triangles);
 
+    std::vector<Block>().swap(blocks);
+    return_freed_memory(); // of the pieces
     std::vector<char> removed(input.positions.size(), 0);
     Thinning result;
     for (const ThinnedBlock& each : thinned) {

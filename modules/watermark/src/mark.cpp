@@ -362,7 +362,9 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
     marked.positions = laid(strength);
-    marked.distortion = embed::distortion(mesh_, marked.positions);
+    marked.distortion = marked.profile == Profile::masked
+                            ? embed::distortion(mesh_, marked.positions, carriers(setting.level).normals())
+                            : embed::distortion(mesh_, marked.positions);
     marked.positions = in_given_order(marked.positions);
     return marked;
 }

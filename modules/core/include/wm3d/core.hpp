@@ -10,6 +10,7 @@
 #include <wm3d/core/hex.hpp>
 #include <wm3d/core/json_depth.hpp>
 #include <wm3d/core/json_number.hpp>
+#include <wm3d/core/memory.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/core/progress.hpp>
 #include <wm3d/core/split_mix.hpp>

@@ -50,4 +50,7 @@ struct Distortion {
 /// Distortion between a mesh and its vertices' new positions, in units of the mesh.
 Distortion distortion(const TriangleMesh& mesh, std::span<const Vec3> moved);
 
+/// The same where the mesh's `vertex_normals` are known.
+Distortion distortion(const TriangleMesh& mesh, std::span<const Vec3> moved, std::span<const Vec3> normals);
+
 } // namespace wm3d::embed

@@ -76,8 +76,7 @@ private:
     double unit_; ///< mean radius
     detect::SurfaceFilter surface_;
     std::vector<Vec3> normals_;
-    std::vector<double> area_;       ///< 0 where isolated
-    std::vector<double> visibility_; ///< d.n
+    std::vector<float> visibility_; ///< d.n
     std::vector<double> mask_;
 };
 

@@ -18,4 +18,7 @@ struct Welded {
 /// corner. Later triangles that repeat an earlier one's three corners are kept: that is topology, not seams.
 Welded weld(std::span<const Vec3> positions, std::span<const Triangle> triangles);
 
+/// The same in the memory of what is given.
+Welded weld(std::vector<Vec3>&& positions, std::vector<Triangle>&& triangles);
+
 } // namespace wm3d
