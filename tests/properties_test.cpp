@@ -361,5 +361,5 @@ TEST_CASE(
     Counts counts;
     for (const std::uint64_t seed : {234, 1715, 1781, 2386, 2511})
         try_one(seed, counts);
-    CHECK(counts.marked >= 4);
+    CHECK(counts.marked >= 3); // the others are refused by now, their marks being too weak without creases
 }

@@ -154,9 +154,12 @@ export namespace wm3d::masking {
 using wm3d::masking::Budget;
 using wm3d::masking::BudgetOptions;
 using wm3d::masking::Carriers;
+using wm3d::masking::CreaseOptions;
+using wm3d::masking::Creases;
 using wm3d::masking::Fit;
 using wm3d::masking::MarkOfStrength;
 using wm3d::masking::MaskOptions;
+using wm3d::masking::without_creases;
 } // namespace wm3d::masking
 
 export namespace wm3d::metrics {

@@ -233,9 +233,12 @@ export namespace wm3d::masking {
 using wm3d::masking::Budget;
 using wm3d::masking::BudgetOptions;
 using wm3d::masking::Carriers;
+using wm3d::masking::CreaseOptions;
+using wm3d::masking::Creases;
 using wm3d::masking::Fit;
 using wm3d::masking::MarkOfStrength;
 using wm3d::masking::MaskOptions;
+using wm3d::masking::without_creases;
 } // namespace wm3d::masking
 
 export namespace wm3d::metrics {
@@ -513,6 +516,7 @@ using wm3d::watermark::SearchResult;
 using wm3d::watermark::SearchUse;
 using wm3d::watermark::Sequences;
 using wm3d::watermark::simplify_suspect;
+using wm3d::watermark::Stored;
 using wm3d::watermark::Suspect;
 using wm3d::watermark::TooFewVertices;
 using wm3d::watermark::TooVisible;

@@ -46,6 +46,18 @@ double reweighed(const metrics::Msdm2Sample& seen, std::span<const double> befor
     return std::cbrt(sum / static_cast<double>(seen.local.size()));
 }
 
+/// How few windows decide what is seen: the standard error of Minkowski's mean, of the mean, over as many windows
+/// as the mesh has vertices if they were drawn at random.
+double fewness(const metrics::Msdm2Sample& seen, std::size_t vertices) {
+    double cubes = 0, squares = 0;
+    for (double x : seen.local) {
+        cubes += x * x * x;
+        squares += std::pow(x, 6);
+    }
+    const double part = static_cast<double>(seen.local.size()) / static_cast<double>(vertices);
+    return cubes > 0 ? std::sqrt(part * squares) / cubes / 3 : 0;
+}
+
 /// Windows that stand for all, each for an equal share of the sum of cubes of the local distances: what that
 /// sum grows to when a mark changes is told by few of them, wherever it comes from.
 class WeightyWindows {
@@ -119,14 +131,24 @@ double Budget::exactly(const std::vector<Vec3>& positions) const {
     return msdm2_->distance({positions, mesh_.triangles});
 }
 
-std::size_t Budget::final_windows() const {
-    return mesh_.positions.size() > options_.most_windows ? options_.windows : options_.most_windows;
+/// As many windows as tell the mean: all of a small mesh, and of a large one where few of them decide.
+metrics::Msdm2Sample Budget::look_closely(const std::vector<Vec3>& positions) const {
+    const std::size_t vertices = mesh_.positions.size();
+    if (vertices <= options_.most_windows)
+        return look(positions, vertices);
+    metrics::Msdm2Sample seen = look(positions, options_.windows);
+    return decided_by_few(seen) ? look(positions, vertices) : seen;
+}
+
+bool Budget::decided_by_few(const metrics::Msdm2Sample& seen) const {
+    return mesh_.positions.size() <= options_.most_jumpy &&
+           fewness(seen, mesh_.positions.size()) > options_.few;
 }
 
 double Budget::visible(const std::vector<Vec3>& positions) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return exactly(positions);
-    return look(positions, final_windows()).mean;
+    return look_closely(positions).mean;
 }
 
 double Budget::rescaled(double strength, double seen, double budget) {
@@ -135,37 +157,57 @@ double Budget::rescaled(double strength, double seen, double budget) {
 
 Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() <= options_.rough_windows)
-        return fit_near(mark, budget, guess);
+        return fit_all(mark, budget, guess);
     constexpr double near = 0.03; // of the budget
     const auto roughly = [&](double strength) { return glance(mark(strength), options_.rough_windows).mean; };
     const Fit fit = approach(roughly, {guess}, budget, near);
-    return fit_near(mark, budget, fit.strength > 0 ? fit.strength : guess);
+    return fit_all(mark, budget, fit.strength > 0 ? fit.strength : guess);
 }
 
 Fit Budget::fit_near(const MarkOfStrength& mark, double budget, double guess) const {
+    const Fit all = fit_all(mark, budget, guess);
+    if (!all.by_few)
+        return all;
+    std::vector<char> still = glaring_places(mark(all.strength), options_.glaring * budget);
+    const auto calm = [&](double strength) { return held(mark(strength), mesh_.positions, still); };
+    Fit fit = fit_all(calm, budget, all.strength);
+    if (!(fit.strength > all.strength))
+        return all;
+    fit.still = std::move(still);
+    return fit;
+}
+
+/// A strength for the mark of all vertices.
+Fit Budget::fit_all(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return approach([&](double strength) { return exactly(mark(strength)); }, {guess}, budget,
                         options_.tolerance);
-    if (mesh_.positions.size() > final_windows())
+    if (mesh_.positions.size() > options_.most_windows)
         budget *= 1 - options_.sampling_margin;
     return approach_from_full_look(mark, {guess}, budget);
 }
 
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
-/// where that is far.
+/// where that is far, or where few windows decide, so that what they became has to be seen.
 Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
     constexpr double near = 0.35; // in the logarithm of the strength
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
-        const metrics::Msdm2Sample all = look(mark(fit.strength), final_windows());
-        const Fit full{fit.strength, all.mean, fit.evaluations + 1, false};
+        const metrics::Msdm2Sample all = look_closely(mark(fit.strength));
+        Fit full{fit.strength, all.mean, fit.evaluations + 1};
         if (!(all.mean > nothing))
-            return {0, 0, full.evaluations, false};
+            return {0, 0, full.evaluations};
+        full.by_few = decided_by_few(all);
+        full.reached = fit.reached && all.mean <= budget;
+        if (full.by_few && full.reached)
+            return full;
         const WeightyWindows weighty(all, options_.rough_windows);
         const auto seen = [&](double strength) {
             return all.mean * weighty.growth(look_at(mark(strength), weighty.vertices()).local);
         };
         fit = approach(seen, full, budget, options_.tolerance);
-        if (!(fit.strength > 0) || std::abs(std::log(fit.strength / full.strength)) <= near)
+        fit.by_few = full.by_few;
+        const bool followed = !fit.by_few && std::abs(std::log(fit.strength / full.strength)) <= near;
+        if (followed || !(fit.strength > 0))
             break;
     }
     return fit;
@@ -178,7 +220,7 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
     double slope = usual_slope, too_weak = 0, too_strong = 0;
     double reach = 1; // grows where what is seen hardly changes over a wide range of strengths
     if (!(tried.msdm2 > 0))
-        tried = {tried.strength, seen(tried.strength), tried.evaluations + 1, false};
+        tried = {tried.strength, seen(tried.strength), tried.evaluations + 1};
     for (std::size_t k = 1;; ++k) {
         if (tried.msdm2 <= budget && tried.msdm2 >= best.msdm2)
             best = tried;
@@ -194,7 +236,7 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
         if (!std::isfinite(next) || next == tried.strength)
             return best;
         const Fit previous = tried;
-        tried = {next, seen(next), tried.evaluations + 1, false};
+        tried = {next, seen(next), tried.evaluations + 1};
         const auto error = [&](const Fit& at) { return std::abs(std::log(aim / at.msdm2)); };
         reach = error(tried) > error(previous) / 2 ? 2 * reach : 1;
         const double measured =
@@ -219,6 +261,13 @@ double Budget::near_budget(const MarkOfStrength& mark, double budget, double gue
     return strength;
 }
 
+/// Vertices around which a mark is seen by more than `glaring`: #V.
+std::vector<char> Budget::glaring_places(const std::vector<Vec3>& positions, double glaring) const {
+    std::vector<char> still(mesh_.positions.size(), 0);
+    hold_around(still, mesh_, msdm2_->field({positions, mesh_.triangles}), glaring);
+    return still;
+}
+
 /// Vertices that have to stay if a mark too weak to be seen is not to be seen: empty, or #V. Empty too where
 /// none could move, which would gain nothing.
 std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double budget,
@@ -239,14 +288,14 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
 }
 
 double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
-    constexpr double glaring = 0.6, slightest = 1e-3; // seen somewhere; of the guess
+    constexpr double jumpy = 0.6, slightest = 1e-3; // seen somewhere; of the guess
     std::vector<char> still;
     const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
     double strength = near_budget(mark, budget, guess);
     if (!(strength > 0))
         return 0;
     metrics::Msdm2Sample seen = glance(mark(strength), options_.mask_windows);
-    if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(seen.local) > glaring)
+    if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(seen.local) > jumpy)
         still = places_of_jumps(trial, budget, slightest * guess);
     if (!still.empty()) {
         carriers.silence(still);

@@ -153,3 +153,27 @@ TEST_CASE("nothing moves where MSDM2 jumps at the slightest move") {
     CHECK(budget.visible(host.mark()(slightest)) < before / 2);
     CHECK(budget.fit(host.mark(), 0.1, 0.01).reached);
 }
+
+TEST_CASE("few vertices that spend the budget stay where they are, and all others move further") {
+    Host host;
+    const MarkOfStrength even = host.mark();
+    const auto spiky = [&](double strength) {
+        std::vector<Vec3> positions = even(strength);
+        for (std::size_t i = 0; i < positions.size(); i += 400)
+            positions[i] += 50 * (positions[i] - host.mesh.positions[i]);
+        return positions;
+    };
+    const Budget budget(host.mesh);
+    const Fit all = budget.fit(spiky, 0.1, 0.01);
+    REQUIRE(all.by_few);
+    CHECK(all.still.empty());
+    const Fit few = budget.fit_near(spiky, 0.1, all.strength);
+    REQUIRE(few.still.size() == host.mesh.positions.size());
+    CHECK(few.strength > 1.2 * all.strength);
+    std::vector<Vec3> positions = spiky(few.strength);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        if (few.still[i])
+            positions[i] = host.mesh.positions[i];
+    CHECK(budget.visible(positions) <= 0.1);
+    CHECK(static_cast<std::size_t>(std::ranges::count(few.still, 1)) < few.still.size() / 4);
+}

@@ -15,6 +15,7 @@
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/detect/verdict.hpp>
 #include <wm3d/embed/turned_faces.hpp>
+#include <wm3d/masking/creases.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/shaping/shaping.hpp>
 #include <wm3d/sphere/bumped_sphere.hpp>
@@ -55,6 +56,9 @@ constexpr double first_strength = 0.02;
 
 /// Meshes of more vertices don't fit a processor's caches.
 constexpr std::size_t worth_sorting = 60'000;
+
+/// Triangles of meshes of more vertices are too small for a crease to be seen, and their hinges take much memory.
+constexpr std::size_t most_creased = 200'000;
 
 maps::BaseDomain base_domain(const TriangleMesh& canonical, std::size_t vertices, const Progress& progress) {
     simplify::Options options;
@@ -320,6 +324,23 @@ double Marker::normal_rms(std::span<const Vec3> moved) const {
     return percent_of_diagonal(embed::distortion(*made_->canonical, moved).normal_rms);
 }
 
+/// Takes back what folds creases, which the budget doesn't see, and spends nothing of what that saves: it would go
+/// into folds again.
+void Marker::uncrease(Marked& marked, double visibility) const {
+    masking::CreaseOptions options;
+    options.flat *= visibility / default_visibility;
+    options.share *= visibility / default_visibility;
+    std::vector<Vec3> positions = masking::without_creases(mesh_, marked.positions, options);
+    embed::turn_back(mesh_, positions);
+    if (positions == marked.positions)
+        return;
+    const double seen = budget().visible(positions);
+    if (seen > visibility) // where MSDM2 jumps
+        return;
+    marked.positions = std::move(positions);
+    marked.msdm2 = seen;
+}
+
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
     return mark(payload::mark_sequence(secret, setting.level, setting.rmax, setting.content, setting.shares),
                 setting);
@@ -336,15 +357,19 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.diagonal = diagonal_;
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
+    std::vector<char> still;
     const auto laid = [&](double strength) {
         std::vector<Vec3> positions = layout.positions(strength);
+        for (std::size_t i = 0; i < still.size(); ++i)
+            if (still[i])
+                positions[i] = mesh_.positions[i];
         embed::turn_back(mesh_, positions);
         return positions;
     };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {
         const double seen = *setting.visibility;
-        const masking::Fit fit =
+        masking::Fit fit =
             layout.usual > 0
                 ? budget().fit_near(laid, seen,
                                     masking::Budget::rescaled(layout.usual, default_visibility, seen))
@@ -354,7 +379,9 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
                                          "weak",
                                          seen));
         strength = fit.strength;
+        still = std::move(fit.still);
         marked.msdm2 = fit.msdm2;
+        marked.seen_by_few = fit.by_few;
     }
     require_move(strength);
     marked.strength = strength;
@@ -362,6 +389,8 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
     marked.positions = laid(strength);
+    if (setting.visibility && marked.profile == Profile::masked && mesh_.positions.size() <= most_creased)
+        uncrease(marked, *setting.visibility);
     marked.distortion = marked.profile == Profile::masked
                             ? embed::distortion(mesh_, marked.positions, carriers(setting.level).normals())
                             : embed::distortion(mesh_, marked.positions);
@@ -388,12 +417,35 @@ MarkSetting mark_setting(const TriangleMesh& mesh, const key::Key& key, const Ma
     return setting;
 }
 
+namespace {
+
+/// The mark, weaker where what a file makes of its positions is seen more than its budget allows.
+Marked mark_as_stored(const Marker& marker, const key::Secret& secret, MarkSetting setting,
+                      const Stored& stored) {
+    constexpr int most_tries = 6;
+    const double budget = *setting.visibility;
+    Marked marked;
+    for (int k = 0; k < most_tries; ++k) {
+        marked = marker.mark(secret, setting);
+        if (!marked.seen_by_few)
+            break;
+        marked.msdm2 = marker.visible(stored(marked.positions));
+        if (*marked.msdm2 <= budget)
+            break;
+        setting.visibility = *setting.visibility * budget / *marked.msdm2;
+    }
+    return marked;
+}
+
+} // namespace
+
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
-            const Progress& progress) {
+            const Progress& progress, const Stored& stored) {
     const MarkSetting setting = mark_setting(mesh, key, options); // before any work
     const Marker marker(mesh, options.vertices, progress);
     notify(progress, "marking", 0);
-    Marked marked = marker.mark(key.secret(), setting);
+    Marked marked = stored && setting.visibility ? mark_as_stored(marker, key.secret(), setting, stored)
+                                                 : marker.mark(key.secret(), setting);
     if (!marked.msdm2)
         marked.msdm2 = marker.visible(marked.positions);
     notify(progress, "marking", 1);

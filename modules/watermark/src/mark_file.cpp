@@ -254,7 +254,8 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     std::optional<TooVisible> reason;
     const auto mark_or_tell = [&] {
         try {
-            result.marked = mark(model.mesh(), key, options.mark, progress);
+            const auto stored = [&](std::span<const Vec3> wanted) { return model.stored_positions(wanted); };
+            result.marked = mark(model.mesh(), key, options.mark, progress, stored);
         } catch (const TooVisible& too_visible) {
             reason = too_visible;
         }

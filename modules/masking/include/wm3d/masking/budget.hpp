@@ -22,18 +22,24 @@ using MarkOfStrength = std::function<std::vector<Vec3>(double strength)>;
 struct Fit {
     double strength = 0;
     double msdm2 = 0; ///< of a mark of this strength: measured, or followed from one of nearly this strength
-    std::size_t evaluations = 0; ///< of MSDM2
-    bool reached = false;        ///< whether `msdm2` lies just below the budget; else no strength came there
+    std::size_t evaluations = 0;  ///< of MSDM2
+    bool reached = false;         ///< whether `msdm2` lies just below the budget; else no strength came there
+    bool by_few = false;          ///< whether few vertices decide `msdm2`
+    std::vector<char> still = {}; ///< vertices that are to stay where they are, #V; empty where none are
 };
 
 struct BudgetOptions {
     double aim = 0.99;       ///< of the budget, to stay below it
     double tolerance = 0.01; ///< accepted distance from the aim
     std::size_t most_evaluations = 12;
-    /// Meshes of more vertices are looked at through about `windows` of them: those of neighbours overlap.
+    /// Meshes of more vertices are looked at through about `windows` of them, since those of neighbours overlap,
+    /// but where few decide.
     std::size_t most_windows = 20'000;
     std::size_t windows = 18'000;
-    std::size_t most_jumpy = 60'000;  ///< meshes of more vertices are not looked through for jumps
+    double few = 0.0075; ///< standard error of what is seen from which few windows decide it
+    double glaring = 5;  ///< times the budget: seen so, a vertex isn't worth what it costs where few spend it
+    std::size_t most_jumpy =
+        60'000; ///< meshes of more vertices are not looked through for jumps, nor for the few
     std::size_t mask_windows = 8'000; ///< of the trial mark that the mask is weighed by
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
@@ -58,7 +64,8 @@ public:
     /// \param guess  strength to begin with, > 0
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
-    /// The same from a guess that is known to be near, such as follows from `equalize`.
+    /// The same from a guess that is known to be near, such as follows from `equalize`. Where few vertices spend
+    /// the budget, they stay where they are if all others may then move further.
     Fit fit_near(const MarkOfStrength& mark, double budget, double guess) const;
 
     /// About the strength that is seen as `budget` where `strength` is seen as `seen`.
@@ -80,10 +87,13 @@ private:
     metrics::Msdm2Sample glance(const std::vector<Vec3>& positions, std::size_t windows) const;
     metrics::Msdm2Sample look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const;
     double exactly(const std::vector<Vec3>& positions) const;
-    std::size_t final_windows() const;
+    metrics::Msdm2Sample look_closely(const std::vector<Vec3>& positions) const;
+    bool decided_by_few(const metrics::Msdm2Sample& seen) const;
+    Fit fit_all(const MarkOfStrength& mark, double budget, double guess) const;
     Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
     Fit approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const;
     double near_budget(const MarkOfStrength& mark, double budget, double guess) const;
+    std::vector<char> glaring_places(const std::vector<Vec3>& positions, double glaring) const;
     std::vector<char> places_of_jumps(const MarkOfStrength& trial, double budget, double slightest) const;
 
     const TriangleMesh& mesh_;

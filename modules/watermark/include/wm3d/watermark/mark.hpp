@@ -2,6 +2,7 @@
 /// \file  From a mesh and a key to the marked positions (section 2.2 of the paper).
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -52,6 +53,7 @@ struct Marked {
     double diagonal = 0;          ///< of the surface's bounding box, in units of the mesh
     embed::Distortion distortion; ///< in units of the mesh
     std::optional<double> msdm2;  ///< one-sided, of the marked mesh against the mesh, where it was measured
+    bool seen_by_few = false;     ///< whether few vertices decide `msdm2`, where a visibility was kept to
 };
 
 /// What a mark of a sequence depends on besides the mesh. gamma goes before visibility, visibility before
@@ -122,6 +124,7 @@ private:
     std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
                             double factor) const; ///< in the coordinates of the mesh
 
+    void uncrease(Marked& marked, double visibility) const;
     std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
 
     Reordered sorted_;         ///< a large mesh; else empty
@@ -133,17 +136,22 @@ private:
     std::unique_ptr<Made> made_; ///< what was needed so far
 };
 
+/// Positions as a file will hold them, #V.
+using Stored = std::function<std::vector<Vec3>(std::span<const Vec3> positions)>;
+
 /// What these options ask a Marker of the mesh for.
 /// \throw ParameterError  if the key does not admit the level, or the visibility is out of range
 MarkSetting mark_setting(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options);
 
 /// Marks a mesh: masked moves of all vertices or, on a base domain by MAPS, eq. (3) or a shaped mark and
 /// reconstruction. MSDM2 is measured in any case.
+/// \param stored  where it is given, and few vertices decide what is seen, the visibility is kept to by the
+///     positions that it makes
 /// \throw ParameterError  if the key does not admit the level, or an option is out of range
 /// \throw GeometryError   if the mesh has no area, or no radial move shows on it
 /// \throw TooVisible      if no mark keeps to the visibility
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options = {},
-            const Progress& progress = {});
+            const Progress& progress = {}, const Stored& stored = {});
 
 /// Distortion in % of the bounding box's diagonal.
 embed::Distortion percent(const embed::Distortion& distortion, double diagonal);
