@@ -36,9 +36,10 @@ double area_rms(std::span<const double> x, std::span<const double> area) {
     return total > 0 ? std::sqrt(squares / total) : 0;
 }
 
-/// n . (x - low pass of x), #V.
-std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Vec3> normals,
-                                    const detect::SurfaceFilter& surface, double t) {
+/// n . (x - low pass of x), #V; x from the centroid, since what a solution leaves is a part of x.
+std::vector<double> normal_residual(const TriangleMesh& mesh, const Vec3& centroid,
+                                    std::span<const Vec3> normals, const detect::SurfaceFilter& surface,
+                                    double t) {
     std::vector<double> e(mesh.positions.size(), 0.0);
     const std::size_t together = surface.at_once();
     for (std::size_t first = 0; first < 3; first += together) {
@@ -46,11 +47,11 @@ std::vector<double> normal_residual(const TriangleMesh& mesh, std::span<const Ve
         const auto axis = [&](std::size_t k) { return static_cast<Eigen::Index>(first + k); };
         for (std::size_t k = 0; k < together; ++k)
             for (std::size_t i = 0; i < e.size(); ++i)
-                x[k][i] = mesh.positions[i][axis(k)];
+                x[k][i] = mesh.positions[i][axis(k)] - centroid[axis(k)];
         x = surface.low_pass(t, std::move(x));
         for (std::size_t k = 0; k < together; ++k)
             for (std::size_t i = 0; i < e.size(); ++i)
-                e[i] += normals[i][axis(k)] * (mesh.positions[i][axis(k)] - x[k][i]);
+                e[i] += normals[i][axis(k)] * (mesh.positions[i][axis(k)] - centroid[axis(k)] - x[k][i]);
     }
     return e;
 }
@@ -78,8 +79,9 @@ std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter
 Carriers::Carriers(const TriangleMesh& mesh, const Frame& frame, const MaskOptions& options)
     : options_(options), unit_(frame.scale), surface_(mesh), normals_(vertex_normals(mesh)),
       visibility_(mesh.positions.size()),
-      mask_(local_rms(normal_residual(mesh, normals_, surface_, diffusion(options.residual_t)), surface_,
-                      diffusion(options.spread_t))) {
+      mask_(
+          local_rms(normal_residual(mesh, frame.centroid, normals_, surface_, diffusion(options.residual_t)),
+                    surface_, diffusion(options.spread_t))) {
     for (std::size_t i = 0; i < visibility_.size(); ++i)
         visibility_[i] =
             static_cast<float>(normals_[i].dot((mesh.positions[i] - frame.centroid).normalized()));
