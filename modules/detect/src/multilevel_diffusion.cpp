@@ -164,8 +164,12 @@ MultilevelDiffusion::MultilevelDiffusion(const TriangleMesh& mesh, std::span<con
 
 /// An approximate solution of `right` at a level and below it, into `solution`.
 void MultilevelDiffusion::cycle(float t, std::size_t level, std::vector<Scratch>& at) const {
-    const auto& [mass, laplacian, parent] = levels_[level];
-    auto& [right, x, residual] = at[level];
+    const std::vector<float>& mass = levels_[level].mass; // no structured bindings: lambdas capture these
+    const auto& laplacian = levels_[level].laplacian;
+    const std::vector<Index>& parent = levels_[level].parent;
+    const std::vector<float>& right = at[level].right;
+    std::vector<float>& x = at[level].solution;
+    std::vector<float>& residual = at[level].residual;
     const std::size_t count = mass.size();
     const auto diagonal = [&](std::size_t i) { return mass[i] + t * laplacian.diagonal[i]; };
     const auto find_residual = [&](std::size_t i) {
@@ -192,7 +196,8 @@ void MultilevelDiffusion::cycle(float t, std::size_t level, std::vector<Scratch>
 }
 
 int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolerance, int most) const {
-    const auto& [mass, laplacian, parent] = levels_.front();
+    const std::vector<float>& mass = levels_.front().mass;
+    const auto& laplacian = levels_.front().laplacian;
     const std::size_t count = x.size();
     t /= unit_;
     std::vector<Scratch> scratch;

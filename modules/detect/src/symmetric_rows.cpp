@@ -87,7 +87,7 @@ std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangle
     for (const Index f : triangles)
         std::ranges::copy_if(mesh.triangles[f], std::back_inserter(others), [&](Index u) { return u != v; });
     std::ranges::sort(others);
-    return static_cast<std::size_t>(std::ranges::unique(others).begin() - others.begin());
+    return static_cast<std::size_t>(std::unique(others.begin(), others.end()) - others.begin());
 }
 
 } // namespace

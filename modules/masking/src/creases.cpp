@@ -89,7 +89,7 @@ std::vector<Index> Creases::around(std::span<const Index> hinges) const {
         for (Index v : hinges_[h].vertices)
             found.insert(found.end(), at_vertex_.begin() + first_[v], at_vertex_.begin() + first_[v + 1]);
     std::ranges::sort(found);
-    found.erase(std::ranges::unique(found).begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

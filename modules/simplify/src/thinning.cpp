@@ -82,7 +82,7 @@ Piece piece_of(const Block& block, const Canonical& mesh) {
         std::ranges::copy_if(mesh.triangles[f], std::back_inserter(others),
                              [&](Index v) { return !block.has(v); });
     std::ranges::sort(others);
-    others.erase(std::ranges::unique(others).begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
     Piece piece;
     piece.positions.assign(mesh.positions.begin() + static_cast<std::ptrdiff_t>(block.begin),
                            mesh.positions.begin() + static_cast<std::ptrdiff_t>(block.end));

@@ -22,6 +22,7 @@ struct Rank {
     std::string name;
     std::vector<double> values;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a category is compared with 0
     auto operator<=>(const Rank&) const = default;
 };
 

@@ -22,6 +22,7 @@ struct MarkSize {
     Unit unit = Unit::strength;
     double value = 0;
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a category is compared with 0
     auto operator<=>(const MarkSize&) const = default;
 };
 
@@ -45,6 +46,7 @@ struct MarkName {
     MarkSize size;
     std::size_t key = 0; ///< number of the random key
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a category is compared with 0
     auto operator<=>(const MarkName&) const = default;
 };
 
@@ -64,6 +66,7 @@ struct ItemName {
     MarkName mark;
     std::string attack; ///< as attack::to_string writes it
 
+    // NOLINTNEXTLINE(modernize-use-nullptr): a category is compared with 0
     auto operator<=>(const ItemName&) const = default;
 };
 
