@@ -307,7 +307,7 @@ void check_marked(const io::Model& model, const watermark::MarkedModel& result, 
     ++counts.marked;
 }
 
-void try_one(std::uint64_t seed, Counts& counts) {
+void try_one(std::uint64_t seed, Counts& counts, double visibility = watermark::default_visibility) {
     std::string history;
     const TriangleMesh mesh = generated(seed, history);
     CAPTURE(seed);
@@ -318,6 +318,7 @@ void try_one(std::uint64_t seed, Counts& counts) {
             io::parse(io::encode(mesh, io::Format::ply, text), io::Format::ply, "generated.ply");
         watermark::MarkModelOptions options;
         options.output_name = "marked.ply";
+        options.mark.visibility = visibility;
         check_marked(model, watermark::mark_model(model, fixed_key(), options), counts);
     } catch (const Error& error) {
         CHECK(one_sentence(error.what()));
@@ -359,7 +360,11 @@ TEST_CASE("every mesh is marked and found, or refused in a sentence") {
 TEST_CASE(
     "meshes whose vertices once fell together in the file, or whose faces were turned over, keep them") {
     Counts counts;
-    for (const std::uint64_t seed : {234, 1715, 1781, 2386, 2511})
+    for (const std::uint64_t seed : {234, 1715, 1781, 2386, 2511}) {
+        const std::size_t before = counts.marked;
         try_one(seed, counts);
-    CHECK(counts.marked >= 3); // the others are refused by now, their marks being too weak without creases
+        if (counts.marked == before) // too weak without creases
+            try_one(seed, counts, 2 * watermark::default_visibility);
+    }
+    CHECK(counts.marked >= 4);
 }

@@ -6,7 +6,6 @@
 
 #include <Eigen/Geometry>
 
-#include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/sides.hpp>
 
 namespace wm3d::masking {
@@ -117,9 +116,8 @@ void Creases::limit(std::vector<double>& moves) const {
     }
 }
 
-std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::vector<Vec3> moved,
-                                  const CreaseOptions& options) {
-    const std::vector<Vec3> normals = vertex_normals(mesh);
+std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                                  std::vector<Vec3> moved, const CreaseOptions& options) {
     std::vector<double> moves(moved.size());
     for (std::size_t i = 0; i < moves.size(); ++i)
         moves[i] = normals[i].dot(moved[i] - mesh.positions[i]);

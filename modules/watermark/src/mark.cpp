@@ -330,7 +330,8 @@ void Marker::uncrease(Marked& marked, double visibility) const {
     masking::CreaseOptions options;
     options.flat *= visibility / default_visibility;
     options.share *= visibility / default_visibility;
-    std::vector<Vec3> positions = masking::without_creases(mesh_, marked.positions, options);
+    std::vector<Vec3> positions =
+        masking::without_creases(mesh_, carriers(marked.level).normals(), marked.positions, options);
     embed::turn_back(mesh_, positions);
     if (positions == marked.positions)
         return;

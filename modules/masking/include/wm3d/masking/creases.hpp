@@ -32,7 +32,7 @@ public:
     /// \param moves  #V, in units of the mesh
     void limit(std::vector<double>& moves) const;
 
-    /// The largest turn that moves make of any hinge, times what it may turn, to first order.
+    /// The largest turn that moves make of any hinge, as a part of what it may turn, to first order.
     double worst(std::span<const double> moves) const;
 
 private:
@@ -52,8 +52,9 @@ private:
     std::vector<Index> first_, at_vertex_; ///< hinges of vertex v: at_vertex_[first_[v]] up to first_[v + 1]
 };
 
-/// Moved positions of the mesh, #V, whose moves along the vertex normals fold no crease any more.
-std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::vector<Vec3> moved,
-                                  const CreaseOptions& options = {});
+/// Moved positions of the mesh, #V, whose moves along the normals fold no crease any more.
+/// \param normals  unit, #V
+std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                                  std::vector<Vec3> moved, const CreaseOptions& options = {});
 
 } // namespace wm3d::masking
