@@ -33,13 +33,8 @@ double mean_vertex_distance(const TriangleMesh& mesh) {
     if (mesh.positions.empty())
         return 0;
     const Vec3 centre = vertex_mean(mesh);
-    const double sum =
-        parallel_sum(mesh.positions.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
-            double part = 0;
-            for (std::size_t v = begin; v < end; ++v)
-                part += (mesh.positions[v] - centre).norm();
-            return part;
-        });
+    const double sum = parallel_sum_of(mesh.positions.size(), block,
+                                       [&](std::size_t v) { return (mesh.positions[v] - centre).norm(); });
     return sum / static_cast<double>(mesh.positions.size());
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/core/parallel.hpp>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <stdexcept>
@@ -35,6 +36,19 @@ TEST_CASE("a sum has the same bits at one thread and at many") {
     const ThreadLimit one(1);
     CHECK(thread_count() == 1);
     CHECK(sum() == many);
+}
+
+TEST_CASE("a sum of terms is that of the blocks' own sums") {
+    const auto term = [](std::size_t i) { return std::sin(static_cast<double>(i)); };
+    double sum = 0;
+    for (std::size_t begin = 0; begin < 1000; begin += 300) {
+        double part = 0;
+        for (std::size_t i = begin; i < std::min<std::size_t>(begin + 300, 1000); ++i)
+            part += term(i);
+        sum += part;
+    }
+    CHECK(parallel_sum_of(1000, 300, term) == sum);
+    CHECK(parallel_sum_of(0, 300, term) == 0);
 }
 
 TEST_CASE("an exception in a block reaches the caller") {

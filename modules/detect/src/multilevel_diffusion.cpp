@@ -123,12 +123,7 @@ Value row_times(std::span<const float> mass, const SymmetricRowsOf<float>& lapla
 /// Sum of `term` over all numbers below `count`, in a fixed order.
 template<typename Term>
 double sum_over(std::size_t count, Term&& term) {
-    return parallel_sum(count, level_block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            part += term(i);
-        return part;
-    });
+    return parallel_sum_of(count, level_block, term);
 }
 
 template<typename Do>

@@ -74,12 +74,8 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 }
 
 double surface_area(const TriangleMesh& mesh) {
-    return parallel_sum(mesh.triangles.size(), measure_block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t f = begin; f < end; ++f)
-            sum += 0.5 * area_vector(mesh, f).norm();
-        return sum;
-    });
+    return parallel_sum_of(mesh.triangles.size(), measure_block,
+                           [&](std::size_t f) { return 0.5 * area_vector(mesh, f).norm(); });
 }
 
 } // namespace wm3d

@@ -123,15 +123,11 @@ double enclosed_volume(const TriangleMesh& mesh) {
     // Tetrahedra over the triangles, from a corner of the box: near the surface, digits aren't lost to a far
     // origin.
     const Vec3 origin = surface_box(mesh).min;
-    return parallel_sum(mesh.triangles.size(), 4096, 0.0, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t f = begin; f < end; ++f) {
-            const auto& [a, b, c] = mesh.triangles[f];
-            const Vec3 u = mesh.positions[a] - origin, v = mesh.positions[b] - origin,
-                       w = mesh.positions[c] - origin;
-            sum += u.dot(v.cross(w)) / 6;
-        }
-        return sum;
+    return parallel_sum_of(mesh.triangles.size(), 4096, [&](std::size_t f) {
+        const auto& [a, b, c] = mesh.triangles[f];
+        const Vec3 u = mesh.positions[a] - origin, v = mesh.positions[b] - origin,
+                   w = mesh.positions[c] - origin;
+        return u.dot(v.cross(w)) / 6;
     });
 }
 

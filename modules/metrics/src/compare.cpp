@@ -31,12 +31,7 @@ Vec3 mean(const std::vector<Vec3>& points) {
 /// Sum of term(v) over all vertices.
 template<typename Term>
 double sum_over(std::size_t count, Term&& term) {
-    return parallel_sum(count, sum_block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t v = begin; v < end; ++v)
-            part += term(v);
-        return part;
-    });
+    return parallel_sum_of(count, sum_block, term);
 }
 
 double change_percent(double before, double after) {

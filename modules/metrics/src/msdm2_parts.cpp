@@ -26,12 +26,8 @@ PerScale blend(const TriangleMesh& mesh, Index triangle, const std::vector<PerSc
 }
 
 double minkowski_mean(const std::vector<double>& local, double exponent) {
-    const double sum = parallel_sum(local.size(), 1024, 0.0, [&](std::size_t begin, std::size_t end) {
-        double part = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            part += std::pow(local[i], exponent);
-        return part;
-    });
+    const double sum =
+        parallel_sum_of(local.size(), 1024, [&](std::size_t i) { return std::pow(local[i], exponent); });
     return std::pow(sum / static_cast<double>(local.size()), 1 / exponent);
 }
 

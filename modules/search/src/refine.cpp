@@ -94,12 +94,8 @@ Climb climb(std::span<const Vec3> x, std::span<const double> q, const KeyFunctio
 
 double correlation(std::span<const Vec3> x, std::span<const double> q, const KeyFunction& key,
                    const Pose& pose) {
-    return parallel_sum(x.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
-        double sum = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            sum += q[i] * key(pose.direction(x[i])).value;
-        return sum;
-    });
+    return parallel_sum_of(x.size(), block,
+                           [&](std::size_t i) { return q[i] * key(pose.direction(x[i])).value; });
 }
 
 Refined refine(std::span<const Vec3> x, std::span<const double> q, const KeyFunction& key, const Pose& start,

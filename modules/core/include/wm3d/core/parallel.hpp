@@ -52,4 +52,15 @@ T parallel_sum(std::size_t count, std::size_t block, T zero, Term&& term) {
     return sum;
 }
 
+/// Sum of term(i) over [0, count), in blocks as above.
+template<typename Term>
+double parallel_sum_of(std::size_t count, std::size_t block, Term&& term) {
+    return parallel_sum(count, block, 0.0, [&](std::size_t begin, std::size_t end) {
+        double part = 0;
+        for (std::size_t i = begin; i < end; ++i)
+            part += term(i);
+        return part;
+    });
+}
+
 } // namespace wm3d
