@@ -2,6 +2,7 @@
 # a folder of another project.
 
 set(stage ${CMAKE_CURRENT_BINARY_DIR}/stage)
+set(key ${PROJECT_SOURCE_DIR}/golden/mark/sample/test.key) # published, so that what fails once fails again
 add_test(NAME "installed: a prefix of its own"
     COMMAND ${CMAKE_COMMAND} -D STAGE=${stage} -D BUILD=${PROJECT_BINARY_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/install.cmake)
 set_tests_properties("installed: a prefix of its own" PROPERTIES FIXTURES_SETUP installed)
@@ -29,7 +30,7 @@ if(NOT WM3D_SANITIZE) # whose libraries need programs that are built alike
     add_test(NAME "installed: pkg-config"
         COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/pkg_config.sh ${CMAKE_CXX_COMPILER}
             ${stage}/${CMAKE_INSTALL_LIBDIR}/pkgconfig ${PROJECT_SOURCE_DIR}/examples/mark_file.cpp
-            ${CMAKE_CURRENT_BINARY_DIR} $<TARGET_FILE:wm3d>)
+            ${CMAKE_CURRENT_BINARY_DIR} $<TARGET_FILE:wm3d> ${key})
     set_tests_properties("installed: pkg-config" PROPERTIES FIXTURES_REQUIRED installed)
     add_test(NAME "installed: import"
         COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/imported.sh ${PROJECT_SOURCE_DIR} ${stage} ${CMAKE_CURRENT_BINARY_DIR}/import)
@@ -42,7 +43,7 @@ endif()
 if(WM3D_COMMANDS AND NOT WM3D_SANITIZE)
     add_test(NAME "packaged: Debian"
         COMMAND sh ${CMAKE_CURRENT_SOURCE_DIR}/packaged.sh ${CMAKE_CPACK_COMMAND} ${PROJECT_BINARY_DIR}
-            ${CMAKE_CURRENT_BINARY_DIR}/packaged)
+            ${CMAKE_CURRENT_BINARY_DIR}/packaged ${key})
     set_tests_properties("packaged: Debian" PROPERTIES TIMEOUT 300 SKIP_REGULAR_EXPRESSION "SKIPPED:")
 endif()
 add_test(NAME "interface units export what the headers declare"

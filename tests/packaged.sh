@@ -1,8 +1,8 @@
 #!/bin/sh
-# packaged.sh CPACK BUILD FOLDER: makes the Debian packages of a build, lets dpkg install them into a folder of their own, marks
+# packaged.sh CPACK BUILD FOLDER KEY: makes the Debian packages of a build, lets dpkg install them into a folder of their own, marks
 # and verifies the sample with what is there, and removes them again.
 set -eu
-cpack=$1 build=$2 folder=$3
+cpack=$1 build=$2 folder=$3 key=$4
 for tool in dpkg dpkg-shlibdeps file; do
     if ! command -v "$tool" >/dev/null; then
         echo "SKIPPED: $tool is not installed"
@@ -50,19 +50,19 @@ done
 wm3d=$root/usr/bin/wm3d
 cd "$folder"
 "$wm3d" sample -q -o sample.ply
-"$wm3d" keygen -q owner.key >owner.txt
-"$wm3d" mark -q sample.ply -o marked.ply --key owner.key >mark.txt
-"$wm3d" verify marked.ply --key owner.key
-if "$wm3d" verify -q sample.ply --key owner.key >original.txt; then
+"$wm3d" keygen -q new.key >new.txt
+"$wm3d" mark -q sample.ply -o marked.ply --key "$key" >mark.txt
+"$wm3d" verify marked.ply --key "$key"
+if "$wm3d" verify -q sample.ply --key "$key" >original.txt; then
     fail "the unmarked sample is said to be marked"
 fi
 
 packages=$root/usr/lib/python3/dist-packages
 if [ -d "$packages" ] && /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
     PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$packages /usr/bin/python3 -c '
-import wm3d
+import sys, wm3d
 mesh = wm3d.read("marked.ply")
-assert wm3d.verify(mesh.vertices, mesh.faces, wm3d.Key.load("owner.key")).verdict == "present"'
+assert wm3d.verify(mesh.vertices, mesh.faces, wm3d.Key.load(sys.argv[1])).verdict == "present"' "$key"
 fi
 
 if command -v lintian >/dev/null; then

@@ -1,8 +1,8 @@
 #!/bin/sh
-# pkg_config.sh COMPILER PKGCONFIG_FOLDER SOURCE FOLDER WM3D: builds an example by what pkg-config tells, marks the sample
+# pkg_config.sh COMPILER PKGCONFIG_FOLDER SOURCE FOLDER WM3D KEY: builds an example by what pkg-config tells, marks the sample
 # with it, and lets the executable verify the mark.
 set -eu
-compiler=$1 source=$3 wm3d=$5
+compiler=$1 source=$3 wm3d=$5 key=$6
 if ! command -v pkg-config >/dev/null; then
     echo "SKIPPED: pkg-config is not installed"
     exit 0
@@ -11,8 +11,7 @@ export PKG_CONFIG_PATH="$2"
 cd "$4"
 # shellcheck disable=SC2046 # words are meant
 "$compiler" -std=c++20 -O1 "$source" -o pkg-config-example $(pkg-config --cflags --libs wm3d)
-rm -f pkg.key pkg.ply pkg-marked.ply
+rm -f pkg.ply pkg-marked.ply
 "$wm3d" sample -q -o pkg.ply
-"$wm3d" keygen -q pkg.key >/dev/null
-./pkg-config-example pkg.ply pkg-marked.ply pkg.key
-"$wm3d" verify -q pkg-marked.ply --key pkg.key
+./pkg-config-example pkg.ply pkg-marked.ply "$key"
+"$wm3d" verify -q pkg-marked.ply --key "$key"

@@ -16,7 +16,9 @@ import unittest
 
 import mesh_bytes
 
-OWNER = pathlib.Path(__file__).resolve().parent.parent / "golden/mark/sample/test.key"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# Published keys, so that what fails once fails again.
+KEYS = {"owner": ROOT / "golden/mark/sample/test.key", "stranger": ROOT / "tests/support/another.key"}
 
 
 class RoundTrip(unittest.TestCase):
@@ -32,9 +34,9 @@ class RoundTrip(unittest.TestCase):
             cls.mesh = cls.folder / "sample.ply"
             cls.wm3d_does("sample", "-q", "-o", cls.mesh, "--faces", "40000")
         cls.marked = cls.folder / f"marked{cls.mesh.suffix}"
-        cls.wm3d_does("keygen", "-q", cls.folder / "stranger.key")
-        shutil.copy(OWNER, cls.folder / "owner.key")  # always the same, so that what fails once fails again
-        (cls.folder / "owner.key").chmod(0o600)
+        for name, file in KEYS.items():
+            shutil.copyfile(file, cls.folder / f"{name}.key")
+            (cls.folder / f"{name}.key").chmod(0o600)
         cls.report = json.loads(cls.wm3d_does("mark", cls.mesh, "-o", cls.marked, "--key", cls.folder / "owner.key",
                                         "--json", "--threads", "2"))
 

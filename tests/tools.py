@@ -15,7 +15,9 @@ import unittest
 
 LARGEST_LOG10_P = -9
 KEYS = 5
-OWNER = pathlib.Path(__file__).resolve().parent.parent / "golden/mark/sample/test.key"
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+# So that what fails once fails again.
+PUBLISHED_KEYS = {"owner": ROOT / "golden/mark/sample/test.key", "stranger": ROOT / "tests/support/another.key"}
 MODELS = {"bunny": "stanford-bunny.obj", "nefertiti": "nefertiti.obj", "horse": "horse.ply",
           "igea": "igea.ply",
           "rocker-arm": "rocker-arm.obj", "fandisk": "fandisk.obj",
@@ -39,15 +41,14 @@ class Wm3d:
     def __call__(self, *arguments, **options):
         return run(self.executable, *arguments, **options)
 
-    def key(self, name):
+    def fresh_key(self, name):
         path = self.folder / f"{name}.key"
         self("keygen", "-q", path)
         return path
 
-    def fixed_key(self, file):
-        """A published key, so that what fails once fails again."""
-        path = self.folder / "owner.key"
-        shutil.copyfile(file, path)
+    def published_key(self, name):
+        path = self.folder / f"{name}.key"
+        shutil.copyfile(PUBLISHED_KEYS[name], path)
         path.chmod(0o600)
         return path
 
@@ -157,7 +158,7 @@ class Tool(unittest.TestCase):
         if cls.mesh is None:
             cls.mesh = cls.folder / "sample.obj"
             cls.wm3d("sample", "-q", "-o", cls.mesh, "--faces", 40000)
-        cls.owner, cls.stranger = cls.wm3d.fixed_key(OWNER), cls.wm3d.key("stranger")
+        cls.owner, cls.stranger = cls.wm3d.published_key("owner"), cls.wm3d.published_key("stranger")
         cls.marked = cls.wm3d.mark(cls.mesh, cls.owner)
 
     def check(self, suspect):
@@ -259,7 +260,7 @@ def worst(executable, mesh, visibility):
     with tempfile.TemporaryDirectory(prefix="wm3d-tools-") as name:
         wm3d, results = Wm3d(executable, name), {}
         for number in range(KEYS):
-            key = wm3d.key(f"key-{number}")
+            key = wm3d.fresh_key(f"key-{number}")
             marked = wm3d.mark(mesh, key, "--visibility", visibility)
             for passages in PASSAGES.values():
                 for name, passage in passages.items():

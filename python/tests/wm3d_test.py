@@ -20,7 +20,9 @@ except ImportError:
 
 import wm3d
 
-KEY_TEXT = pathlib.Path(__file__).parents[2] / "golden" / "mark" / "sample" / "test.key"
+ROOT = pathlib.Path(__file__).parents[2]
+KEY_TEXT = ROOT / "golden" / "mark" / "sample" / "test.key"
+ANOTHER_KEY = ROOT / "tests" / "support" / "another.key"
 
 
 def grid_faces(rows, columns):
@@ -52,7 +54,7 @@ class Marking(unittest.TestCase):
         self.assertEqual(report.verdict, "present")
         self.assertLess(report.log10_p, -6)
         self.assertNotEqual(wm3d.verify(self.V, self.F, self.key).verdict, "present")
-        self.assertNotEqual(wm3d.verify(self.marked.vertices, self.F, wm3d.Key.generate()).verdict, "present")
+        self.assertNotEqual(wm3d.verify(self.marked.vertices, self.F, wm3d.Key.load(ANOTHER_KEY)).verdict, "present")
 
     def test_results_are_dataclasses(self):
         fields = dataclasses.asdict(self.marked)
