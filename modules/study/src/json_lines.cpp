@@ -23,20 +23,10 @@ using nlohmann::ordered_json;
 JsonLines::JsonLines(const std::string& path, const std::string& what, std::string_view schema,
                      const Reader& reader)
     : path_(path) {
-    try {
-        open();
-        size_ = read_lines(what, schema, reader);
-        was_empty_ = size_ == 0;
-        cut(size_);
-    } catch (...) {
-        if (file_ >= 0)
-            ::close(file_);
-        throw;
-    }
-}
-
-JsonLines::~JsonLines() {
-    ::close(file_);
+    open();
+    size_ = read_lines(what, schema, reader);
+    was_empty_ = size_ == 0;
+    cut(size_);
 }
 
 void JsonLines::fail_writing(int error) const {
@@ -48,10 +38,11 @@ void JsonLines::open() {
     struct stat status {};
     if (::stat(path_.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
         throw OutputError(fmt::format("{}: this is no regular file; name a new file", path_));
-    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (file_ < 0)
+    file_ = Descriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+    if (!file_.valid())
         fail_writing(errno);
-    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) // else a file system without locks
+    // Any other reason: a file system without locks.
+    if (::flock(file_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
         throw OutputError(fmt::format(
             "{}: another process is writing to this file; wait for it, or name a new file", path_));
 }
@@ -80,18 +71,18 @@ std::uintmax_t JsonLines::read_lines(const std::string& what, std::string_view s
 
 void JsonLines::cut(std::uintmax_t size) {
     struct stat status {};
-    if (::fstat(file_, &status) != 0)
+    if (::fstat(file_.get(), &status) != 0)
         fail_writing(errno);
     if (static_cast<std::uintmax_t>(status.st_size) != size &&
-        ::ftruncate(file_, static_cast<off_t>(size)) != 0)
+        ::ftruncate(file_.get(), static_cast<off_t>(size)) != 0)
         fail_writing(errno);
 }
 
 void JsonLines::append(const ordered_json& line) {
     const std::string text = line.dump() + '\n';
-    if (!write_all(file_, text)) {
+    if (!write_all(file_.get(), text)) {
         const int reason = errno;
-        [[maybe_unused]] const int ignored = ::ftruncate(file_, static_cast<off_t>(size_));
+        [[maybe_unused]] const int ignored = ::ftruncate(file_.get(), static_cast<off_t>(size_));
         fail_writing(reason);
     }
     size_ += text.size();

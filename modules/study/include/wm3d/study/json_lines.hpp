@@ -9,6 +9,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <wm3d/core/descriptor.hpp>
+
 namespace wm3d::study {
 
 class JsonLines {
@@ -26,9 +28,6 @@ public:
     /// \throw OutputError  if the file can't be written, or another process has it open
     JsonLines(const std::string& path, const std::string& what, std::string_view schema,
               const Reader& reader);
-    ~JsonLines();
-    JsonLines(const JsonLines&) = delete;
-    JsonLines& operator=(const JsonLines&) = delete;
 
     const std::string& path() const { return path_; }
 
@@ -46,7 +45,7 @@ private:
     [[noreturn]] void fail_writing(int error) const;
 
     std::string path_;
-    int file_ = -1;
+    Descriptor file_;
     bool was_empty_ = true;
     std::uintmax_t size_ = 0; ///< of the lines that are complete, in bytes
 };
