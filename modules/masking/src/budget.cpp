@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/masking/budget.hpp>
 
 #include <algorithm>
@@ -102,7 +100,6 @@ private:
 } // namespace
 
 Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options) : mesh_(mesh), options_(options) {
- Phase ph("Budget()");
     if (mesh.positions.size() > std::max(options.most_whole, options.most_jumpy)) {
         patches_.emplace(mesh);
     } else {
@@ -113,7 +110,6 @@ Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options) : mesh_(m
 
 /// Windows at vertices of the moved mesh, all of them where they are not more.
 metrics::Msdm2Sample Budget::look(const std::vector<Vec3>& positions, std::size_t windows) const {
- Phase ph("look");
     return patches_ ? patches_->sample(positions, windows)
                     : msdm2_->sample({positions, mesh_.triangles}, windows);
 }
@@ -126,7 +122,6 @@ metrics::Msdm2Sample Budget::glance(const std::vector<Vec3>& positions, std::siz
 
 /// Windows at some vertices.
 metrics::Msdm2Sample Budget::look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const {
- Phase ph("look_at");
     return patches_ ? patches_->at(positions, std::move(vertices))
                     : msdm2_->at({std::move(positions), mesh_.triangles}, std::move(vertices));
 }
@@ -195,7 +190,6 @@ Fit Budget::fit_all(const MarkOfStrength& mark, double budget, double guess) con
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
 /// where that is far, or where few windows decide, so that what they became has to be seen.
 Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
- Phase ph("approach_from_full");
     constexpr double near = 0.35; // in the logarithm of the strength
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const metrics::Msdm2Sample all = look_closely(mark(fit.strength));
@@ -294,7 +288,6 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
 }
 
 double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
- Phase ph("equalize");
     constexpr double jumpy = 0.6, slightest = 1e-3; // seen somewhere; of the guess
     std::vector<char> still;
     const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
@@ -312,7 +305,6 @@ double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double 
     if (!(seen.mean > nothing))
         return 0;
     const std::vector<double> before(carriers.mask().begin(), carriers.mask().end());
-    Phase p3("carriers.equalize");
     carriers.equalize(seen.vertices, seen.local, seen.mean);
     return rescaled(strength, reweighed(seen, before, carriers.mask()), budget);
 }

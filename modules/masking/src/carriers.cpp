@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/masking/carriers.hpp>
 
 #include <algorithm>
@@ -111,7 +109,6 @@ std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<co
 }
 
 std::vector<double> Carriers::carry(std::vector<double> bumps) const {
- Phase ph("carry");
     std::vector<double> x = low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps),
                                         detect::SurfaceFilter::usual_tolerance);
     for (std::size_t i = 0; i < x.size(); ++i)

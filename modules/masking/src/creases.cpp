@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/masking/creases.hpp>
 
 #include <algorithm>
@@ -120,7 +118,6 @@ void Creases::limit(std::vector<double>& moves) const {
 
 std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::span<const Vec3> normals,
                                   std::vector<Vec3> moved, const CreaseOptions& options) {
- Phase ph("without_creases");
     std::vector<double> moves(moved.size());
     for (std::size_t i = 0; i < moves.size(); ++i)
         moves[i] = normals[i].dot(moved[i] - mesh.positions[i]);

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <optional>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/metrics/msdm2.hpp>
 
 #include <algorithm>
@@ -117,13 +114,13 @@ private:
 };
 
 const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
-    std::call_once(curved_, [&] { Phase ph("own curv"); own_curvatures_ = curvatures(own_side); });
+    std::call_once(curved_, [&] { own_curvatures_ = curvatures(own_side); });
     return own_curvatures_;
 }
 
 const std::vector<double>& Msdm2::Prepared::clearances() const {
     constexpr double of_marks = 2.5e-3; // times the longest side: twice what all but few vertices move
-    std::call_once(cleared_, [&] { Phase ph("clearances");
+    std::call_once(cleared_, [&] {
         const TriangleMesh& mesh = tree.mesh();
         clearances_.resize(mesh.positions.size(), 0.0);
         parallel_blocks(clearances_.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
@@ -149,11 +146,8 @@ ClosestPoint Msdm2::Prepared::match(Index vertex, const Vec3& moved) const {
 std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
                                                    double side, const std::vector<PerScale>& of_reference,
                                                    std::span<const char> wanted) const {
-    std::optional<Phase> p0("curv of distorted");
     const std::vector<PerScale> of_distorted = curvature_magnitudes(
         distorted, around, edge_angles(distorted, around), curvature_radii(side), wanted);
-    p0.reset();
-    std::optional<Phase> ph("match");
     const bool same_triangles = &around == &graph;
     if (same_triangles)
         clearances(); // here, where all threads are free for them
@@ -178,7 +172,6 @@ std::vector<double> Msdm2::Prepared::local(const TriangleMesh& distorted, const 
                                            std::span<const char> wanted) const {
     const PerScale radii = times(side, options.scales);
     const std::vector<WindowSample> of_vertices = samples(distorted, around, side, of_reference, wanted);
-    Phase ph("windows");
     std::vector<double> local(vertices.size());
     const std::size_t block = std::max(window_block, local.size() / 64);
     parallel_blocks(local.size(), block, [&](std::size_t begin, std::size_t end) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/watermark/mark.hpp>
 
 #include <algorithm>
@@ -148,10 +146,9 @@ const masking::Budget& Marker::made_budget() const {
 /// What doesn't depend on each other is made at once, but on large meshes, where each takes memory while it is made.
 Marker::Carried Marker::fresh_carriers(unsigned level) const {
     std::optional<Carried> fresh;
-    const auto make = [&] { Phase ph("Carriers()"); fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_)}; };
+    const auto make = [&] { fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_)}; };
     if (sorted_.original.empty()) {
         parallel_invoke([&] { made_budget(); }, make);
-        Phase ph("rows");
         fresh->rows = rows(level, 0, mesh_.positions.size());
     } else {
         made_budget();
@@ -330,7 +327,6 @@ double Marker::normal_rms(std::span<const Vec3> moved) const {
 /// Takes back what folds creases, which the budget doesn't see, and spends nothing of what that saves: it would go
 /// into folds again.
 void Marker::uncrease(Marked& marked, double visibility) const {
- Phase ph("uncrease");
     masking::CreaseOptions options;
     options.flat *= visibility / default_visibility;
     options.share *= visibility / default_visibility;
@@ -355,7 +351,6 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     if (w.size() != key::sequence_length(setting.level))
         throw ParameterError(fmt::format("a mark of level {} takes {} numbers, but there are {}",
                                          setting.level, key::sequence_length(setting.level), w.size()));
-    Phase ph("Marker::mark");
     Marked marked;
     marked.level = setting.level;
     marked.rmax = setting.rmax;
@@ -369,7 +364,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
         for (std::size_t i = 0; i < still.size(); ++i)
             if (still[i])
                 positions[i] = mesh_.positions[i];
-        { Phase ph("turn_back"); embed::turn_back(mesh_, positions); }
+        embed::turn_back(mesh_, positions);
         return positions;
     };
     double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
@@ -397,7 +392,6 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.positions = laid(strength);
     if (setting.visibility && marked.profile == Profile::masked && mesh_.positions.size() <= most_creased)
         uncrease(marked, *setting.visibility);
-    Phase p2("distortion+order");
     marked.distortion = marked.profile == Profile::masked
                             ? embed::distortion(mesh_, marked.positions, carriers(setting.level).normals())
                             : embed::distortion(mesh_, marked.positions);
@@ -449,7 +443,6 @@ Marked mark_as_stored(const Marker& marker, const key::Secret& secret, MarkSetti
 Marked mark(const TriangleMesh& mesh, const key::Key& key, const MarkOptions& options,
             const Progress& progress, const Stored& stored) {
     const MarkSetting setting = mark_setting(mesh, key, options); // before any work
-    Phase p0("mark()");
     const Marker marker(mesh, options.vertices, progress);
     notify(progress, "marking", 0);
     Marked marked = stored && setting.visibility ? mark_as_stored(marker, key.secret(), setting, stored)

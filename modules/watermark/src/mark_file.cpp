@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <wm3d/core/phase_scratch.hpp>
 #include <wm3d/watermark/mark_file.hpp>
 
 #include <algorithm>
@@ -262,7 +260,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
             reason = too_visible;
         }
     };
-    parallel_invoke([&] { Phase ph("ambiguity"); result.ambiguity = ambiguity_of(model.mesh()); }, mark_or_tell);
+    parallel_invoke([&] { result.ambiguity = ambiguity_of(model.mesh()); }, mark_or_tell);
     if (reason) {
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
@@ -270,7 +268,6 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
                 fmt::format("{}; {}", reason->what(), remedy(model, key, options, result, progress));
         return result;
     }
-    Phase p1("rest of mark_once");
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
     TriangleMesh written = model.reread(result.files);
     if (!is_same_surface(written, model.mesh())) {
@@ -278,19 +275,16 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
         written = model.reread(result.files);
     }
-    Phase p2("suspect+check");
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = prepare_suspect(written, check.vertices, progress);
     const Marked& marked = result.marked;
     std::vector<Rehearsed> rehearsed;
-    Phase p3("check+rehearse");
     parallel_invoke(
         [&] {
-            Phase ph("rehearse");
             Sequences sequences(key.secret(), marked.rmax);
             rehearsed = rehearse(suspect, marked.frame, sequences, marked.level, marked.rmax);
         },
-        [&] { Phase ph("self_check"); result.check = self_check(suspect, marked, key, check, progress); });
+        [&] { result.check = self_check(suspect, marked, key, check, progress); });
     if (result.check.verdict == detect::Verdict::present) {
         if (!is_readable(result.check, key, options.mark))
             result.loss = Loss::content;
@@ -360,7 +354,6 @@ MarkedFile mark_file(const std::filesystem::path& in, const std::filesystem::pat
         io::require_writable(options.receipt, writing);
     const io::Format format = format_of(in, options.format);
     require_same_format(format, format_of(out, options.format), out.string());
-    Phase p0("from read");
     const io::Model model = io::read(in, {.format = format});
 
     MarkedModel result = mark_model(model, key, {options.mark, options.normals, out.string()}, progress);
