@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include <wm3d/mesh/triangle_mesh.hpp>
@@ -37,54 +39,95 @@ struct OutwardStep {
 /// Starts at a vertex v and follows the edges u -> w with u = v or (w - u).(u - v) > 0 as long as w stays in
 /// a sphere around v. Each step leads away from v: what is reached within a smaller sphere is the part of it
 /// that lies there, so one walk serves several radii, and no edge is walked from both ends.
+///
+/// About half of the edges at a vertex lead outwards, which no processor foresees: all are written down, and those that
+/// don't are written over.
 class OutwardWalk {
 public:
+    struct Reached {
+        Index vertex = 0;
+        Vec3 place = Vec3::Zero(); ///< seen from the centre
+        double square = 0;
+    };
+    struct Step {
+        Index reached = 0; ///< where it starts, by its place in `reached`
+        Index to = 0, edge = 0;
+        Vec3 along = Vec3::Zero();
+        double outward = 0; ///< start . along
+        double to_square = 0;
+    };
+
     OutwardWalk(const TriangleMesh& mesh, const EdgeGraph& graph)
         : mesh_(mesh), graph_(graph), seen_(mesh.positions.size(), 0) {}
 
-    /// Calls reach(w, squared distance from v) for each vertex within `radius`, v itself left out, and
-    /// step(OutwardStep) for each edge that leads from such a vertex, or from v, outwards.
-    template<typename Reach, typename Step>
-    void from(Index centre, double radius, Reach&& reach, Step&& step) {
+    /// Walks anew.
+    void from(Index centre, double radius) {
         ++walk_;
         seen_[centre] = walk_;
         const Vec3 origin = mesh_.positions[centre];
-        found_.assign(1, {centre, Vec3::Zero(), 0});
-        OutwardStep s;
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            s.from = found_[i].vertex;
-            s.start = found_[i].place;
-            s.from_square = found_[i].square;
-            for (const EdgeGraph::Way& way : graph_.ways_from(s.from)) {
+        const double square_radius = radius * radius;
+        make_room(0);
+        reached_[0] = {centre, Vec3::Zero(), 0};
+        reached_count_ = 1;
+        step_count_ = 0;
+        for (std::size_t i = 0; i < reached_count_; ++i) {
+            const std::span<const EdgeGraph::Way> ways = graph_.ways_from(reached_[i].vertex);
+            make_room(ways.size());
+            const Vec3 start = reached_[i].place;
+            Step* step = &steps_[step_count_];
+            Reached* next = &reached_[reached_count_];
+            for (const EdgeGraph::Way& way : ways) {
                 const Vec3 place = mesh_.positions[way.to] - origin;
-                s.along = place - s.start;
-                if (i > 0 && !(s.along.dot(s.start) > 0))
-                    continue;
-                s.to = way.to;
-                s.edge = way.edge;
-                s.to_square = place.squaredNorm();
-                step(static_cast<const OutwardStep&>(s));
-                if (s.to_square > radius * radius || seen_[s.to] == walk_)
-                    continue;
-                seen_[s.to] = walk_;
-                found_.push_back({s.to, place, s.to_square});
-                reach(s.to, s.to_square);
+                const Vec3 along = place - start;
+                const double outward = along.dot(start), square = place.squaredNorm();
+                const bool taken = (i == 0) | (outward > 0);
+                *step = {static_cast<Index>(i), way.to, way.edge, along, outward, square};
+                step += taken;
+                const bool fresh = taken & (square <= square_radius) & (seen_[way.to] != walk_);
+                seen_[way.to] = fresh ? walk_ : seen_[way.to];
+                *next = {way.to, place, square};
+                next += fresh;
             }
+            step_count_ = static_cast<std::size_t>(step - steps_.data());
+            reached_count_ = static_cast<std::size_t>(next - reached_.data());
+        }
+    }
+
+    /// The centre, and the vertices within the radius.
+    std::span<const Reached> reached() const { return {reached_.data(), reached_count_}; }
+
+    /// The edges that lead from them outwards.
+    std::span<const Step> steps() const { return {steps_.data(), step_count_}; }
+
+    /// Walks anew, and calls reach(w, squared distance from v) for each vertex within `radius`, v itself left out, and
+    /// step(OutwardStep) for each edge that leads from such a vertex, or from v, outwards.
+    template<typename Reach, typename Visit>
+    void from(Index centre, double radius, Reach&& reach, Visit&& visit) {
+        from(centre, radius);
+        for (const Reached& r : reached().subspan(1))
+            reach(r.vertex, r.square);
+        for (const Step& s : steps()) {
+            const Reached& r = reached_[s.reached];
+            visit(OutwardStep{r.vertex, s.to, s.edge, r.place, s.along, r.square, s.to_square});
         }
     }
 
 private:
-    struct Found {
-        Index vertex;
-        Vec3 place; ///< seen from the centre
-        double square;
-    };
+    /// For as many ways more, and what is written to be written over.
+    void make_room(std::size_t ways) {
+        if (reached_.size() <= reached_count_ + ways)
+            reached_.resize(2 * (reached_count_ + ways) + 1);
+        if (steps_.size() <= step_count_ + ways)
+            steps_.resize(2 * (step_count_ + ways) + 1);
+    }
 
     const TriangleMesh& mesh_;
     const EdgeGraph& graph_;
     std::vector<Index> seen_; ///< number of the walk that reached the vertex last, #V
     Index walk_ = 0;
-    std::vector<Found> found_;
+    std::vector<Reached> reached_; ///< and room for more
+    std::vector<Step> steps_;      ///< the same
+    std::size_t reached_count_ = 0, step_count_ = 0;
 };
 
 /// Centres of one block of a parallel loop: every block has marks for all vertices, which have to pay.
