@@ -25,15 +25,15 @@ std::string sha256_line(std::string_view text, std::string_view file_name) {
 
 namespace {
 
-template<auto release>
+template<auto Release>
 struct Releaser {
     template<typename T>
     void operator()(T* object) const {
-        release(object);
+        Release(object);
     }
 };
-template<typename T, auto release>
-using Owned = std::unique_ptr<T, Releaser<release>>;
+template<typename T, auto Release>
+using Owned = std::unique_ptr<T, Releaser<Release>>;
 
 void require(bool done) {
     if (!done)

@@ -50,12 +50,14 @@ TriangleMesh marked(TriangleMesh mesh, const sphere::SparseRows& rows, std::span
 TriangleMesh steps() {
     constexpr Index around = 400, rings = 12;
     TriangleMesh mesh;
-    for (Index ring = 0; ring < rings; ++ring)
+    for (Index ring = 0; ring < rings; ++ring) {
+        const Index treads = (ring + 1) / 2, risers = ring / 2; // from the first rim to this one
+        const double radius = 1.5 - 0.25 * treads, height = 0.3 * risers - 0.8;
         for (Index k = 0; k < around; ++k) {
-            const double angle = 2 * std::numbers::pi * k / around, radius = 1.5 - 0.25 * ((ring + 1) / 2);
-            mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
-                                        0.3 * (ring / 2) - 0.8);
+            const double angle = 2 * std::numbers::pi * k / around;
+            mesh.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
         }
+    }
     for (Index ring = 0; ring + 1 < rings; ++ring)
         for (Index k = 0; k < around; ++k) {
             const Index a = ring * around + k, b = ring * around + (k + 1) % around;

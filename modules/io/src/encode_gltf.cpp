@@ -115,10 +115,11 @@ OrderedJson build_asset(const TriangleMesh& mesh, const Vertices& vertices, cons
 }
 
 void put_chunk(std::string& out, std::string_view type, std::string_view data, char padding) {
-    put(out, Scalar::u32, static_cast<double>((data.size() + 3) / 4 * 4));
+    const std::size_t padded = (data.size() + 3) / 4 * 4;
+    put(out, Scalar::u32, static_cast<double>(padded));
     out += type;
     out += data;
-    out.append((4 - data.size() % 4) % 4, padding);
+    out.append(padded - data.size(), padding);
 }
 
 } // namespace

@@ -33,9 +33,7 @@ Placement local_placement(const Source& source, const Json& node) {
     Placement local;
     if (node.contains("matrix")) { // by columns
         const auto m = numbers<16>(source, node, "matrix", {});
-        for (int column = 0; column < 3; ++column)
-            for (int row = 0; row < 3; ++row)
-                local.linear(row, column) = m[static_cast<std::size_t>(4 * column + row)];
+        local.linear = Eigen::Map<const Eigen::Matrix4d>(m.data()).topLeftCorner<3, 3>();
         local.translation = {m[12], m[13], m[14]};
         if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1)
             source.fail("the matrix of a node is a projection, which glTF does not allow");

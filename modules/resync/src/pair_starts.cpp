@@ -23,8 +23,8 @@ struct Pair {
     std::size_t cell = 0;
 };
 
-int cell_of(double angle, double range, int count) {
-    return std::clamp(static_cast<int>(angle / range * count), 0, count - 1);
+std::size_t cell_of(double angle, double range, int count) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>(angle / range * count), 0, count - 1));
 }
 
 /// None where the pair has no frame of its own or its angles are unsteady.
@@ -45,10 +45,10 @@ std::optional<Pair> make_pair(const Vec3& p, const Vec3& n, const Vec3& q, const
     pair.axes.col(1) = across.normalized();
     pair.axes.col(2) = pair.axes.col(0).cross(pair.axes.col(1));
     const double dihedral = std::atan2(along.dot(n_across.cross(m_across)), n_across.dot(m_across));
-    const int a = cell_of(std::acos(std::clamp(n.dot(along), -1.0, 1.0)), EIGEN_PI, angle_cells);
-    const int b = cell_of(std::acos(std::clamp(m.dot(along), -1.0, 1.0)), EIGEN_PI, angle_cells);
-    const int c = cell_of(dihedral + EIGEN_PI, 2 * EIGEN_PI, dihedral_cells);
-    pair.cell = static_cast<std::size_t>((a * angle_cells + b) * dihedral_cells + c);
+    const std::size_t a = cell_of(std::acos(std::clamp(n.dot(along), -1.0, 1.0)), EIGEN_PI, angle_cells);
+    const std::size_t b = cell_of(std::acos(std::clamp(m.dot(along), -1.0, 1.0)), EIGEN_PI, angle_cells);
+    const std::size_t c = cell_of(dihedral + EIGEN_PI, 2 * EIGEN_PI, dihedral_cells);
+    pair.cell = (a * angle_cells + b) * dihedral_cells + c;
     return pair;
 }
 
