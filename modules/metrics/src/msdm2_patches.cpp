@@ -26,9 +26,12 @@ namespace wm3d::metrics {
 
 namespace {
 
-/// Cells along the box's longest side, as a power of two: of patches that hold many windows, and of those that hold
-/// about one.
-constexpr int wide_cells = 3, narrow_cells = 5;
+/// Cells along the box's longest side, as a power of two: of patches that hold many windows, on meshes that aren't too
+/// large for so few, and of patches that hold about one.
+constexpr int widest_cells = 2, narrow_cells = 5;
+
+/// Triangles of a patch that holds many windows, about and at most.
+constexpr double many_triangles = 131072;
 
 /// Windows from which on wide patches take less work than narrow ones.
 constexpr std::size_t many_windows = 2000;
@@ -81,19 +84,52 @@ SurfacePoint match(const TriangleMesh& mesh, const EdgeGraph& graph, Index verte
     return {};
 }
 
-/// Vertices that windows look at: their centres, the vertices kept within them and, where all are, those across their
+/// Cells as wide as the memory of a patch allows: neighbours overlap by the radius of a window.
+int wide_cells(const TriangleMesh& mesh) {
+    constexpr double surface = 2.5; // of cells that a model runs through, over those of one side of its cube
+    int bits = widest_cells;
+    while (bits<narrow_cells&& static_cast<double>(mesh.triangles.size())> many_triangles * surface *
+           std::ldexp(1, 2 * bits))
+        ++bits;
+    return bits;
+}
+
+/// Vertices that windows look at besides their centres: those kept within them and, where all are, those across their
 /// rims.
 std::vector<char> looked_at(const TriangleMesh& moved, const EdgeGraph& graph,
                             const std::vector<Index>& centres, double radius, const Thinning& thinning) {
     std::vector<char> wanted(moved.positions.size(), 0);
     OutwardWalk walk(moved, graph);
     for (const Index centre : centres) {
-        wanted[centre] = 1;
-        walk.from(
-            centre, radius, [](Index, double) {},
-            [&](const OutwardStep& s) { wanted[s.to] |= static_cast<char>(thinning.keeps(s.to)); });
+        walk.from(centre, radius);
+        for (const OutwardWalk::Step& s : walk.steps())
+            wanted[s.to] |= static_cast<char>(thinning.keeps(s.to));
     }
     return wanted;
+}
+
+/// These and some more: where windows overlap, that is less work than to walk through each.
+std::vector<char> looked_at_nearly(const TriangleMesh& moved, const EdgeGraph& graph,
+                                   const std::vector<Index>& centres, double radius,
+                                   const Thinning& thinning) {
+    Box box{moved.positions[centres.front()], moved.positions[centres.front()]};
+    for (const Index centre : centres) {
+        box.min = box.min.cwiseMin(moved.positions[centre]);
+        box.max = box.max.cwiseMax(moved.positions[centre]);
+    }
+    const Eigen::Array3d least = box.min.array() - radius, most = box.max.array() + radius;
+    std::vector<char> wanted(moved.positions.size());
+    for (Index v = 0; v < wanted.size(); ++v) {
+        const auto p = moved.positions[v].array();
+        wanted[v] = static_cast<char>(thinning.keeps(v) && (p >= least).all() && (p <= most).all());
+    }
+    if (!thinning.kept.empty())
+        return wanted;
+    std::vector<char> with_rims = wanted;
+    for (const EdgeGraph::Edge& e : graph.edges())
+        if (wanted[e.a] || wanted[e.b])
+            with_rims[e.a] = with_rims[e.b] = 1;
+    return with_rims;
 }
 
 } // namespace
@@ -240,7 +276,12 @@ std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& disto
     const Thinning thinning{stride, kept};
     std::vector<Index> centres(group.vertices.size());
     std::ranges::transform(group.vertices, centres.begin(), [&](Index v) { return patch.local(v); });
-    const std::vector<char> wanted = looked_at(moved, graph, centres, largest_radius(), thinning);
+    const bool overlap =
+        static_cast<double>(centres.size()) * in_window > 2 * static_cast<double>(patch.vertices.size());
+    std::vector<char> wanted =
+        (overlap ? looked_at_nearly : looked_at)(moved, graph, centres, largest_radius(), thinning);
+    for (const Index centre : centres)
+        wanted[centre] = 1;
     const std::vector<WindowSample> of_vertices = samples(patch, box, moved, graph, wanted);
     const PerScale radii = this->radii();
     Msdm2Windows windows(moved, graph, of_vertices, radii, options, thinning);
@@ -256,8 +297,9 @@ Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, s
     Msdm2Sample sample;
     sample.vertices = std::move(vertices);
     sample.local.resize(sample.vertices.size());
-    const std::vector<VertexGroup> groups = groups_of(
-        reference, sample.vertices, sample.vertices.size() < many_windows ? narrow_cells : wide_cells);
+    const std::vector<VertexGroup> groups =
+        groups_of(reference, sample.vertices,
+                  sample.vertices.size() < many_windows ? narrow_cells : wide_cells(reference));
     parallel_tasks(groups.size(), [&](std::size_t g) {
         const std::vector<double> local = this->local(distorted, groups[g], stride);
         for (std::size_t i = 0; i < local.size(); ++i) {

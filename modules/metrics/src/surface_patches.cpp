@@ -30,6 +30,10 @@ bool meet(const Box& a, const Box& b) {
     return (a.min.array() <= b.max.array()).all() && (b.min.array() <= a.max.array()).all();
 }
 
+bool holds(const Box& a, const Box& b) {
+    return (a.min.array() <= b.min.array()).all() && (b.max.array() <= a.max.array()).all();
+}
+
 /// A set of numbers that knows how many smaller ones it has.
 class NumberSet {
 public:
@@ -41,6 +45,8 @@ public:
     std::vector<Index> count() {
         Index total = 0;
         for (std::size_t k = 0; k < words_.size(); ++k) {
+            if (words_[k] == 0)
+                continue;
             before_[k] = total;
             total += static_cast<Index>(std::popcount(words_[k]));
         }
@@ -59,7 +65,7 @@ public:
 
 private:
     std::vector<std::uint64_t> words_; ///< a bit for each number
-    std::vector<Index> before_;        ///< numbers in the words before
+    std::vector<Index> before_;        ///< numbers in the words before, of words that have any
 };
 
 } // namespace
@@ -82,8 +88,9 @@ SurfacePatch SurfacePatches::within(const Box& box) const {
     for (std::size_t r = 0; r < runs_.size(); ++r) {
         if (!meet(runs_[r], box))
             continue;
+        const bool all = holds(box, runs_[r]);
         for (std::size_t f = r * run; f < std::min((r + 1) * run, mesh_.triangles.size()); ++f)
-            if (meet(box_of(mesh_, f, f + 1), box)) {
+            if (all || meet(box_of(mesh_, f, f + 1), box)) {
                 patch.mesh.triangles.push_back(mesh_.triangles[f]);
                 for (const Index v : mesh_.triangles[f])
                     corners.insert(v);
