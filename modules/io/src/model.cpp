@@ -13,6 +13,7 @@
 #include <wm3d/mesh/weld.hpp>
 
 #include "document.hpp"
+#include "file_bytes.hpp"
 #include "normals.hpp"
 
 namespace wm3d::io {
@@ -20,13 +21,21 @@ namespace wm3d::io {
 struct Model::Impl {
     Format format = Format::obj;
     std::string name;
-    std::string bytes;
+    FileBytes bytes;
     Resolver resolver;
     Limits limits;
     Welded welded;
     std::unique_ptr<CoordinateStore> store;
 
+    explicit Impl(std::string of_file) : bytes(std::move(of_file)) {}
+
     Welding welding() const { return {welded.mesh, welded.vertex_of}; }
+
+    /// The store, whose views of the file's bytes can be looked at.
+    const CoordinateStore& awake() {
+        bytes.here();
+        return *store;
+    }
 };
 
 Model::Model(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -48,14 +57,17 @@ std::span<const Index> Model::vertex_of_slot() const {
     return impl_->welded.vertex_of;
 }
 std::string_view Model::bytes() const {
-    return impl_->bytes;
+    return impl_->bytes.here();
+}
+void Model::let_bytes_go() const {
+    impl_->bytes.let_go();
 }
 double Model::coordinate_step() const {
-    return impl_->store->step(impl_->welding());
+    return impl_->awake().step(impl_->welding());
 }
 
 std::vector<Vec3> Model::stored_positions(std::span<const Vec3> wanted) const {
-    return impl_->store->settle(impl_->welding(), wanted);
+    return impl_->awake().settle(impl_->welding(), wanted);
 }
 
 std::string Model::patched(std::span<const Vec3> wanted, Normals normals) const {
@@ -64,11 +76,11 @@ std::string Model::patched(std::span<const Vec3> wanted, Normals normals) const 
 
 PatchedFiles Model::patched_files(std::span<const Vec3> wanted, std::string_view output_name,
                                   Normals normals) const {
-    PatchedFiles files = impl_->store->patch(impl_->welding(), wanted, output_name);
+    PatchedFiles files = impl_->awake().patch(impl_->welding(), wanted, output_name);
     if (normals == Normals::keep)
         return files;
-    return with_turned_normals(std::move(files), impl_->format, {impl_->name, impl_->bytes}, impl_->welding(),
-                               impl_->resolver, output_name);
+    return with_turned_normals(std::move(files), impl_->format, {impl_->name, impl_->bytes.here()},
+                               impl_->welding(), impl_->resolver, output_name);
 }
 
 /// Reads the files beside a patched one, as they are written or as they were.
@@ -91,7 +103,7 @@ Model Model::read_back(const PatchedFiles& files) const {
 TriangleMesh Model::reread(PatchedFiles& files) const {
     Model written =
         parse(std::move(files.bytes), impl_->format, impl_->name, written_or_beside(files), impl_->limits);
-    files.bytes = std::move(written.impl_->bytes);
+    files.bytes = std::move(written.impl_->bytes).take();
     return std::move(written).take_mesh();
 }
 
@@ -168,13 +180,12 @@ Limits Limits::none() {
 
 Model parse(std::string bytes, Format format, std::string name, const Resolver& resolver,
             const Limits& limits) {
-    auto impl = std::make_unique<Model::Impl>();
+    auto impl = std::make_unique<Model::Impl>(std::move(bytes));
     impl->format = format;
-    impl->bytes = std::move(bytes);
     impl->name = std::move(name);
     impl->resolver = resolver;
     impl->limits = limits;
-    const Source source{impl->name, impl->bytes};
+    const Source source{impl->name, impl->bytes.here()};
     if (source.bytes.empty())
         source.fail("the file is empty");
     refuse_other_format(source, format);
@@ -198,7 +209,9 @@ Model read(const std::filesystem::path& path, const ReadOptions& options) {
             seen ? fmt::format("; its content looks like {0}, so say --format {0}", name_of(*seen))
                  : "; say which it is with --format"));
     }
-    return parse(std::move(bytes), *format, path.string(), resolver_beside(path), options.limits);
+    Model model = parse(std::move(bytes), *format, path.string(), resolver_beside(path), options.limits);
+    model.impl_->bytes.came_from(path);
+    return model;
 }
 
 } // namespace wm3d::io

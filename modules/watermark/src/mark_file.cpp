@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/memory.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/mesh/measure.hpp>
@@ -251,6 +252,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
                       const Progress& progress) {
     MarkedModel result;
     result.coordinate_step = model.coordinate_step();
+    model.let_bytes_go();
     std::optional<TooVisible> reason;
     const auto mark_or_tell = [&] {
         try {
@@ -268,7 +270,11 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
                 fmt::format("{}; {}", reason->what(), remedy(model, key, options, result, progress));
         return result;
     }
+    constexpr std::size_t dense = 200'000;
+    if (result.marked.positions.size() > dense)
+        return_freed_memory(); // what the mark took, before the file comes back
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
+    model.let_bytes_go();
     TriangleMesh written = model.reread(result.files);
     if (!is_same_surface(written, model.mesh())) {
         result.marked.positions = kept_apart(model, std::move(result.marked.positions));

@@ -61,6 +61,11 @@ public:
     /// The file as it was read.
     std::string_view bytes() const;
 
+    /// Lets the file's bytes go until something needs them, if they were `read` from a large file: they are then read again.
+    /// Whatever needs them throws InputError if the file was changed meanwhile.
+    /// \pre  nobody looks at `bytes` any more
+    void let_bytes_go() const;
+
     /// The coarsest distance between neighbouring values that a coordinate of the surface can be given in
     /// this file, in units of the mesh. Moves well below it are lost.
     double coordinate_step() const;
@@ -95,6 +100,7 @@ private:
     std::function<std::string(std::string_view)> written_or_beside(const PatchedFiles& files) const;
     friend Model parse(std::string, Format, std::string, const std::function<std::string(std::string_view)>&,
                        const Limits&);
+    friend Model read(const std::filesystem::path&, const struct ReadOptions&);
     std::unique_ptr<Impl> impl_;
 };
 
