@@ -133,7 +133,8 @@ TEST_CASE("passphrases have a length, and their source is wiped") {
 }
 
 TEST_CASE("secrets lie where they are neither swapped out nor dumped") {
-    const Secret secret = Secret::random(), copy = secret;
+    const Secret secret = Secret::random();
+    const Secret copy = secret; // NOLINT(performance-unnecessary-copy-initialization): where does it lie?
     CHECK(copy.bytes().data() == secret.bytes().data());
     const std::string flags = flags_of(secret.bytes().data());
     if (flags.empty()) {

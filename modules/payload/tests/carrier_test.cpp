@@ -34,7 +34,8 @@ TEST_CASE("what is modulated is demodulated, and every coded bit has its share o
         CHECK(sequence.size() == key::sequence_length(level));
         CHECK(std::ranges::all_of(sequence, [](double v) { return std::abs(v) == 0.25; }));
         const std::vector<double> soft = carrier.demodulated(sequence);
-        const double least = 0.25 * static_cast<double>(key::sequence_length(level) / 512);
+        const std::size_t share = key::sequence_length(level) / coded.size(); // of each bit, at least
+        const double least = 0.25 * static_cast<double>(share);
         for (std::size_t k = 0; k < coded.size(); ++k) {
             CHECK((soft[k] < 0) == (coded[k] == 1));
             CHECK(std::abs(soft[k]) >= doctest::Approx(least));
