@@ -128,7 +128,7 @@ TEST_CASE("passphrases have a length, and their source is wiped") {
     const Passphrase passphrase(std::move(text));
     CHECK(text.empty()); // NOLINT: it says that it wipes
     CHECK(passphrase.text().starts_with("a passphrase"));
-    CHECK_THROWS_AS(Passphrase(std::string()), ParameterError);
+    CHECK_THROWS_AS(Passphrase{std::string()}, ParameterError);
     CHECK_THROWS_AS(Passphrase(std::string(Passphrase::size_limit + 1, 'x')), ParameterError);
 }
 
