@@ -167,27 +167,28 @@ void MultilevelDiffusion::cycle(float t, std::size_t level, std::vector<Scratch>
     std::vector<float>& residual = at[level].residual;
     const std::size_t count = mass.size();
     const auto diagonal = [&](std::size_t i) { return mass[i] + t * laplacian.diagonal[i]; };
-    const auto find_residual = [&](std::size_t i) {
-        residual[i] = right[i] - row_times<float>(mass, laplacian, t, i, x);
+    const auto residual_at = [&](std::size_t i) {
+        return right[i] - row_times<float>(mass, laplacian, t, i, x);
     };
-    const auto step = [&](std::size_t i) { x[i] += damping * residual[i] / diagonal(i); };
+    const auto step = [&] {
+        for_each_row(count,
+                     [&](std::size_t i) { residual[i] = x[i] + damping * residual_at(i) / diagonal(i); });
+        x.swap(residual);
+    };
     for_each_row(count, [&](std::size_t i) { x[i] = damping * right[i] / diagonal(i); });
     if (parent.empty()) {
-        for (int k = 1; k < last_steps; ++k) {
-            for_each_row(count, find_residual);
-            for_each_row(count, step);
-        }
+        for (int k = 1; k < last_steps; ++k)
+            step();
         return;
     }
-    for_each_row(count, find_residual);
+    for_each_row(count, [&](std::size_t i) { residual[i] = residual_at(i); });
     Scratch& below = at[level + 1];
     std::ranges::fill(below.right, 0.0F);
     for (std::size_t i = 0; i < count; ++i)
         below.right[parent[i]] += residual[i];
     cycle(t, level + 1, at);
     for_each_row(count, [&](std::size_t i) { x[i] += below.solution[parent[i]]; });
-    for_each_row(count, find_residual);
-    for_each_row(count, step);
+    step();
 }
 
 int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolerance, int most) const {
@@ -206,13 +207,13 @@ int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolera
     const double right = sum_over(count, [&](std::size_t i) {
         const double y = static_cast<double>(mass[i]) * x[i];
         r[i] = y - row_times<double>(mass, laplacian, t, i, x);
+        scratch[0].right[i] = static_cast<float>(r[i]);
         return y * y;
     });
     double left = sum_over(count, [&](std::size_t i) { return r[i] * r[i]; });
     double before = 0;
     int steps = 0;
     for (; steps < most && left > tolerance * tolerance * right; ++steps) {
-        for_each_row(count, [&](std::size_t i) { scratch[0].right[i] = static_cast<float>(r[i]); });
         cycle(static_cast<float>(t), 0, scratch);
         const double rz = sum_over(count, [&](std::size_t i) { return r[i] * static_cast<double>(z[i]); });
         const double beta = steps == 0 ? 0 : rz / before;
@@ -227,6 +228,7 @@ int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolera
         left = sum_over(count, [&](std::size_t i) {
             x[i] += alpha * p[i];
             r[i] -= alpha * static_cast<double>(q[i]);
+            scratch[0].right[i] = static_cast<float>(r[i]);
             return r[i] * r[i];
         });
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <wm3d/core/parallel.hpp>
+
 namespace wm3d::embed {
 
 namespace {
@@ -26,10 +28,16 @@ bool is_turned(const TriangleMesh& mesh, std::span<const Vec3> moved, const Tria
 } // namespace
 
 std::vector<Index> turned_faces(const TriangleMesh& mesh, std::span<const Vec3> moved) {
+    constexpr std::size_t block = 16384;
+    std::vector<std::vector<Index>> found((mesh.triangles.size() + block - 1) / block);
+    parallel_blocks(mesh.triangles.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            if (is_turned(mesh, moved, mesh.triangles[f]))
+                found[begin / block].push_back(static_cast<Index>(f));
+    });
     std::vector<Index> turned;
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
-        if (is_turned(mesh, moved, mesh.triangles[f]))
-            turned.push_back(static_cast<Index>(f));
+    for (const std::vector<Index>& some : found)
+        turned.insert(turned.end(), some.begin(), some.end());
     return turned;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 namespace wm3d {
@@ -30,9 +31,16 @@ std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
     const double side = (box.max - box.min).maxCoeff();
     const double scale = side > 0 && std::isfinite(side) ? side : 1;
     std::vector<std::pair<std::uint64_t, Index>> keys(mesh.positions.size());
-    for (Index v = 0; v < keys.size(); ++v)
-        keys[v] = {morton_code((mesh.positions[v] - centre) / scale), v};
-    std::ranges::sort(keys);
+    const auto middle = keys.begin() + static_cast<std::ptrdiff_t>(keys.size() / 2);
+    const auto sort = [&](auto begin, auto end) {
+        for (auto key = begin; key != end; ++key) {
+            const auto v = static_cast<Index>(key - keys.begin());
+            *key = {morton_code((mesh.positions[v] - centre) / scale), v};
+        }
+        std::sort(begin, end);
+    };
+    parallel_invoke([&] { sort(keys.begin(), middle); }, [&] { sort(middle, keys.end()); });
+    std::inplace_merge(keys.begin(), middle, keys.end());
     std::vector<Index> vertices(keys.size());
     std::ranges::transform(keys, vertices.begin(), [](const auto& key) { return key.second; });
     return vertices;

@@ -307,7 +307,8 @@ Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, s
             sample.local[static_cast<std::size_t>(at - sample.vertices.begin())] = local[i];
         }
     });
-    return_freed_memory(); // of the patches
+    if (sample.vertices.size() >= many_windows)
+        return_freed_memory(); // of the patches
     sample.mean = minkowski_mean(sample.local, options.exponent);
     return sample;
 }

@@ -132,7 +132,7 @@ private:
 
 /// Centres of one block of a parallel loop: every block has marks for all vertices, which have to pay.
 inline std::size_t walk_block(std::size_t vertices) {
-    return std::max<std::size_t>(1024, vertices / 64);
+    return std::max<std::size_t>(4096, vertices / 64);
 }
 
 } // namespace wm3d::metrics
