@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <span>
@@ -297,9 +298,12 @@ Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, s
     Msdm2Sample sample;
     sample.vertices = std::move(vertices);
     sample.local.resize(sample.vertices.size());
-    const std::vector<VertexGroup> groups =
+    std::vector<VertexGroup> groups =
         groups_of(reference, sample.vertices,
                   sample.vertices.size() < many_windows ? narrow_cells : wide_cells(reference));
+    // The longest first, so that all threads end at about the same time.
+    std::ranges::stable_sort(groups, std::ranges::greater{},
+                             [](const VertexGroup& group) { return group.vertices.size(); });
     parallel_tasks(groups.size(), [&](std::size_t g) {
         const std::vector<double> local = this->local(distorted, groups[g], stride);
         for (std::size_t i = 0; i < local.size(); ++i) {
