@@ -194,7 +194,10 @@ TEST_CASE("another key's receipt is refused, and so is registration without Cere
 }
 
 TEST_CASE("shapes that moments can't turn are told") {
-    CHECK(watermark::ambiguity_of(shapes::sphere(1, 20)) == resync::Ambiguity::all);
-    CHECK(watermark::ambiguity_of(shapes::torus(1, 0.2, 30, 20)) == resync::Ambiguity::plane);
-    CHECK(watermark::ambiguity_of(specimen().original) == resync::Ambiguity::none);
+    const auto ambiguity_of = [](const TriangleMesh& mesh) {
+        return resync::ambiguity_of(shape_moments(mesh).own());
+    };
+    CHECK(ambiguity_of(shapes::sphere(1, 20)) == resync::Ambiguity::all);
+    CHECK(ambiguity_of(shapes::torus(1, 0.2, 30, 20)) == resync::Ambiguity::plane);
+    CHECK(ambiguity_of(specimen().original) == resync::Ambiguity::none);
 }

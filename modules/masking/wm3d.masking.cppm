@@ -160,6 +160,7 @@ using wm3d::masking::Creases;
 using wm3d::masking::Fit;
 using wm3d::masking::MarkOfStrength;
 using wm3d::masking::MaskOptions;
+using wm3d::masking::WeightyWindows;
 using wm3d::masking::without_creases;
 } // namespace wm3d::masking
 

@@ -99,6 +99,7 @@ using wm3d::write_all;
 
 export namespace wm3d::resync {
 using wm3d::resync::Ambiguity;
+using wm3d::resync::ambiguity_of;
 using wm3d::resync::angle_between;
 using wm3d::resync::candidate_poses;
 using wm3d::resync::CandidateOptions;

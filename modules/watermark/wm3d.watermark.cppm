@@ -238,6 +238,7 @@ using wm3d::masking::Creases;
 using wm3d::masking::Fit;
 using wm3d::masking::MarkOfStrength;
 using wm3d::masking::MaskOptions;
+using wm3d::masking::WeightyWindows;
 using wm3d::masking::without_creases;
 } // namespace wm3d::masking
 
@@ -302,6 +303,7 @@ using wm3d::payload::UncodedErrors;
 
 export namespace wm3d::resync {
 using wm3d::resync::Ambiguity;
+using wm3d::resync::ambiguity_of;
 using wm3d::resync::angle_between;
 using wm3d::resync::candidate_poses;
 using wm3d::resync::CandidateOptions;
@@ -400,7 +402,6 @@ using wm3d::sphere::SphereLocation;
 } // namespace wm3d::sphere
 
 export namespace wm3d::watermark {
-using wm3d::watermark::ambiguity_of;
 using wm3d::watermark::beside_search;
 using wm3d::watermark::can_look_closer;
 using wm3d::watermark::compare_with_reference;

@@ -11,7 +11,10 @@ namespace wm3d::masking {
 namespace {
 
 /// MSDM2 over strength in logarithms: where nothing was measured yet, and the range that is believed.
-constexpr double usual_slope = 0.7, least_slope = 0.2, most_slope = 1.5;
+constexpr double usual_slope = 1, least_slope = 0.2, most_slope = 1.5;
+
+/// Strengths that differ by less are the same: between them MSDM2 may jump, but it doesn't grow.
+constexpr double same_strength = 1e-3;
 
 /// Below it MSDM2 is the rounding of its own arithmetic.
 constexpr double nothing = 1e-9;
@@ -58,44 +61,11 @@ double fewness(const metrics::Msdm2Sample& seen, std::size_t vertices) {
     return cubes > 0 ? std::sqrt(part * squares) / cubes / 3 : 0;
 }
 
-/// Windows that stand for all, each for an equal share of the sum of cubes of the local distances: what that
-/// sum grows to when a mark changes is told by few of them, wherever it comes from.
-class WeightyWindows {
-public:
-    WeightyWindows(const metrics::Msdm2Sample& all, std::size_t shares) {
-        const auto cube = [](double x) { return x * x * x; };
-        double total = 0, passed = 0, next = 0.5;
-        for (double x : all.local)
-            total += cube(x);
-        for (std::size_t i = 0; i < all.local.size(); ++i) {
-            passed += cube(all.local[i]);
-            double shares_here = 0;
-            for (; next * total < passed * static_cast<double>(shares); ++next)
-                ++shares_here;
-            if (!(shares_here > 0))
-                continue;
-            vertices_.push_back(all.vertices[i]);
-            before_.push_back(all.local[i]);
-            shares_.push_back(shares_here);
-        }
-    }
-
-    const std::vector<Index>& vertices() const { return vertices_; }
-
-    /// What Minkowski's mean over all windows grows by where the local distances at `vertices` become `now`.
-    double growth(std::span<const double> now) const {
-        double sum = 0, all = 0;
-        for (std::size_t k = 0; k < before_.size(); ++k) {
-            sum += shares_[k] * std::pow(now[k] / before_[k], 3);
-            all += shares_[k];
-        }
-        return std::cbrt(sum / all);
-    }
-
-private:
-    std::vector<Index> vertices_;
-    std::vector<double> before_, shares_; ///< local distances, and how many shares each stands for
-};
+/// Whether a mark seen so tells about one that is seen as the budget allows.
+bool is_near(double seen, double budget) {
+    constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
+    return std::abs(seen / budget - 1) <= near;
+}
 
 } // namespace
 
@@ -136,7 +106,7 @@ metrics::Msdm2Sample Budget::look_closely(const std::vector<Vec3>& positions) co
     const std::size_t vertices = mesh_.positions.size();
     if (vertices <= options_.most_windows)
         return look(positions, vertices);
-    metrics::Msdm2Sample seen = look(positions, options_.windows);
+    metrics::Msdm2Sample seen = look(positions, patches_ ? options_.patch_windows : options_.windows);
     return decided_by_few(seen) ? look(positions, vertices) : seen;
 }
 
@@ -149,6 +119,10 @@ double Budget::visible(const std::vector<Vec3>& positions) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return exactly(positions);
     return look_closely(positions).mean;
+}
+
+double Budget::followed(const std::vector<Vec3>& positions, const WeightyWindows& from) const {
+    return from.mean(look_at(positions, from.vertices()).local);
 }
 
 double Budget::rescaled(double strength, double seen, double budget) {
@@ -197,17 +171,20 @@ Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double 
         if (!(all.mean > nothing))
             return {0, 0, full.evaluations};
         full.by_few = decided_by_few(all);
-        full.reached = fit.reached && all.mean <= budget;
+        const double off = std::abs(all.mean - options_.aim * budget);
+        full.reached = all.mean <= budget && (fit.reached || off <= options_.tolerance * budget);
         if (full.by_few && full.reached)
             return full;
         const WeightyWindows weighty(all, options_.rough_windows);
-        const auto seen = [&](double strength) {
-            return all.mean * weighty.growth(look_at(mark(strength), weighty.vertices()).local);
-        };
+        const auto seen = [&](double strength) { return followed(mark(strength), weighty); };
         fit = approach(seen, full, budget, options_.tolerance);
         fit.by_few = full.by_few;
-        const bool followed = !fit.by_few && std::abs(std::log(fit.strength / full.strength)) <= near;
-        if (followed || !(fit.strength > 0))
+        fit.weighty = weighty;
+        const double change = std::abs(std::log(fit.strength / full.strength));
+        if (full.by_few && full.msdm2 <= budget && change <= same_strength)
+            return full;
+        const bool near_enough = !fit.by_few && change <= near;
+        if (near_enough || !(fit.strength > 0))
             break;
     }
     return fit;
@@ -230,6 +207,8 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
             return best;
         (tried.msdm2 < aim ? too_weak : too_strong) = tried.strength;
         const bool between = too_weak > 0 && too_strong > 0;
+        if (between && too_strong < (1 + same_strength) * too_weak)
+            return best;
         double next = tried.strength * std::pow(aim / tried.msdm2, (between ? 1 : reach) / slope);
         if (between && !(next > too_weak && next < too_strong))
             next = std::sqrt(too_weak * too_strong);
@@ -245,20 +224,25 @@ Fit Budget::approach(const SeenOfStrength& seen, Fit tried, double budget, doubl
     }
 }
 
-/// A strength at which the mark is seen about as much as the budget allows; 0 if it is not seen at all.
-double Budget::near_budget(const MarkOfStrength& mark, double budget, double guess) const {
+/// Opens the mask's windows at a strength at which the mark is seen about as much as the budget allows: at the guess
+/// if that is one, so that nothing has to come before. The sample's mean is 0 if the mark is not seen at all.
+Budget::Trial Budget::trial_look(const MarkOfStrength& mark, double budget, double guess) const {
     constexpr int most_looks = 2;
-    constexpr double near = 0.25; // of the budget: what is seen where hardly changes over that
-    double strength = guess;
+    const auto look_at_mask = [&](double strength) {
+        return Trial{strength,
+                     glance(mark(strength), patches_ ? options_.mask_patch_windows : options_.mask_windows)};
+    };
+    Trial trial = look_at_mask(guess);
+    if (!(trial.seen.mean > nothing) || is_near(trial.seen.mean, budget))
+        return trial;
+    double strength = rescaled(guess, trial.seen.mean, budget);
     for (int k = 0; k < most_looks; ++k) {
         const double msdm2 = glance(mark(strength), options_.rough_windows).mean;
-        if (!(msdm2 > nothing))
-            return 0;
-        if (std::abs(msdm2 / budget - 1) <= near)
+        if (!(msdm2 > nothing) || is_near(msdm2, budget))
             break;
         strength = rescaled(strength, msdm2, budget);
     }
-    return strength;
+    return look_at_mask(strength);
 }
 
 /// Vertices around which a mark is seen by more than `glaring`: #V.
@@ -291,22 +275,20 @@ double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double 
     constexpr double jumpy = 0.6, slightest = 1e-3; // seen somewhere; of the guess
     std::vector<char> still;
     const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
-    double strength = near_budget(mark, budget, guess);
-    if (!(strength > 0))
+    Trial tried = trial_look(mark, budget, guess);
+    if (!(tried.seen.mean > nothing))
         return 0;
-    metrics::Msdm2Sample seen = glance(mark(strength), options_.mask_windows);
-    if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(seen.local) > jumpy)
+    if (mesh_.positions.size() <= options_.most_jumpy && std::ranges::max(tried.seen.local) > jumpy)
         still = places_of_jumps(trial, budget, slightest * guess);
     if (!still.empty()) {
         carriers.silence(still);
-        strength = near_budget(mark, budget, guess);
-        seen = glance(mark(strength), options_.mask_windows);
+        tried = trial_look(mark, budget, guess);
+        if (!(tried.seen.mean > nothing))
+            return 0;
     }
-    if (!(seen.mean > nothing))
-        return 0;
     const std::vector<double> before(carriers.mask().begin(), carriers.mask().end());
-    carriers.equalize(seen.vertices, seen.local, seen.mean);
-    return rescaled(strength, reweighed(seen, before, carriers.mask()), budget);
+    carriers.equalize(tried.seen.vertices, tried.seen.local, tried.seen.mean);
+    return rescaled(tried.strength, reweighed(tried.seen, before, carriers.mask()), budget);
 }
 
 } // namespace wm3d::masking

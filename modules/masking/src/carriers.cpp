@@ -12,7 +12,7 @@ namespace wm3d::masking {
 namespace {
 
 /// Of averages that weigh the mask.
-constexpr double spread_tolerance = 1e-4;
+constexpr double spread_tolerance = 1e-3;
 
 /// Median over the vertices that have a normal, and so triangles.
 double typical_value(std::span<const double> x, std::span<const Vec3> normals) {
@@ -108,12 +108,15 @@ std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<co
     return bumps(sphere::multiply(rows, w));
 }
 
-std::vector<double> Carriers::carry(std::vector<double> bumps) const {
-    std::vector<double> x = low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps),
-                                        detect::SurfaceFilter::usual_tolerance);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        x[i] *= mask_[i];
-    return x;
+std::vector<double> Carriers::smooth(std::vector<double> bumps) const {
+    return low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps),
+                       detect::SurfaceFilter::usual_tolerance);
+}
+
+std::vector<double> Carriers::masked(std::vector<double> smooth) const {
+    for (std::size_t i = 0; i < smooth.size(); ++i)
+        smooth[i] *= mask_[i];
+    return smooth;
 }
 
 std::vector<double> Carriers::moves(const sphere::SparseRows& rows, std::span<const double> w) const {

@@ -10,8 +10,17 @@
 
 namespace wm3d::masking {
 
-Creases::Creases(const TriangleMesh& mesh, std::span<const Vec3> normals, const CreaseOptions& options)
-    : options_(options), first_(mesh.positions.size() + 1, 0) {
+namespace {
+
+/// Radians that a hinge of triangles at an angle may turn.
+double limit_of(double angle, const CreaseOptions& options) {
+    return options.flat + options.share * angle;
+}
+
+} // namespace
+
+Creases::Creases(const TriangleMesh& mesh, std::span<const Vec3> normals)
+    : first_(mesh.positions.size() + 1, 0) {
     const std::vector<Side> sides = sorted_sides(mesh);
     hinges_.reserve(sides.size() / 2);
     for_each_edge(sides, [&](std::span<const Side> edge) {
@@ -56,7 +65,7 @@ void Creases::add(const TriangleMesh& mesh, std::span<const Vec3> normals,
     hinges_.push_back({vertices,
                        {low.dot(normals[vertices[0]]), high.dot(normals[vertices[1]]),
                         gradient[0].dot(normals[vertices[2]]), gradient[1].dot(normals[vertices[3]])},
-                       options_.flat + options_.share * angle});
+                       angle});
 }
 
 double Creases::turn(const Hinge& hinge, std::span<const double> moves) const {
@@ -66,17 +75,18 @@ double Creases::turn(const Hinge& hinge, std::span<const double> moves) const {
     return sum;
 }
 
-double Creases::worst(std::span<const double> moves) const {
+double Creases::worst(std::span<const double> moves, const CreaseOptions& options) const {
     double most = 0;
     for (const Hinge& hinge : hinges_)
-        most = std::max(most, std::abs(turn(hinge, moves)) / hinge.limit);
+        most = std::max(most, std::abs(turn(hinge, moves)) / limit_of(hinge.angle, options));
     return most;
 }
 
-std::vector<Index> Creases::turned_too_far(std::span<const double> moves) const {
+std::vector<Index> Creases::turned_too_far(std::span<const double> moves,
+                                           const CreaseOptions& options) const {
     std::vector<Index> found;
     for (Index h = 0; h < hinges_.size(); ++h)
-        if (std::abs(turn(hinges_[h], moves)) > (1 + options_.tolerance) * hinges_[h].limit)
+        if (std::abs(turn(hinges_[h], moves)) > (1 + options.tolerance) * limit_of(hinges_[h].angle, options))
             found.push_back(h);
     return found;
 }
@@ -92,17 +102,17 @@ std::vector<Index> Creases::around(std::span<const Index> hinges) const {
     return found;
 }
 
-void Creases::limit(std::vector<double>& moves) const {
+void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) const {
     std::vector<double> weight(moves.size());
     std::ranges::transform(moves, weight.begin(), [](double m) { return m * m; });
-    std::vector<Index> active = turned_too_far(moves), changed;
-    for (std::size_t round = 0; round < options_.most_rounds && !active.empty(); ++round) {
+    std::vector<Index> active = turned_too_far(moves, options), changed;
+    for (std::size_t round = 0; round < options.most_rounds && !active.empty(); ++round) {
         changed.clear();
         for (Index h : active) {
             const Hinge& hinge = hinges_[h];
-            const double turned = turn(hinge, moves);
-            const double excess = std::abs(turned) - hinge.limit;
-            if (excess <= options_.tolerance * hinge.limit)
+            const double turned = turn(hinge, moves), limit = limit_of(hinge.angle, options);
+            const double excess = std::abs(turned) - limit;
+            if (excess <= options.tolerance * limit)
                 continue;
             double square = 0;
             for (std::size_t k = 0; k < 4; ++k)
@@ -116,13 +126,14 @@ void Creases::limit(std::vector<double>& moves) const {
     }
 }
 
-std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::span<const Vec3> normals,
-                                  std::vector<Vec3> moved, const CreaseOptions& options) {
+std::vector<Vec3> without_creases(const Creases& creases, const TriangleMesh& mesh,
+                                  std::span<const Vec3> normals, std::vector<Vec3> moved,
+                                  const CreaseOptions& options) {
     std::vector<double> moves(moved.size());
     for (std::size_t i = 0; i < moves.size(); ++i)
         moves[i] = normals[i].dot(moved[i] - mesh.positions[i]);
     std::vector<double> kept = moves;
-    Creases(mesh, normals, options).limit(kept);
+    creases.limit(kept, options);
     for (std::size_t i = 0; i < moves.size(); ++i)
         if (kept[i] != moves[i])
             moved[i] += (kept[i] - moves[i]) * normals[i];

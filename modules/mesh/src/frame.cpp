@@ -318,8 +318,7 @@ Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
 }
 
 Frame canonical_frame(const TriangleMesh& mesh) {
-    const ShapeMoments moments = shape_moments(mesh);
-    return principal_frame(mesh, moments.of(moments.substance()));
+    return principal_frame(mesh, shape_moments(mesh).own());
 }
 
 Frame canonical_frame(const TriangleMesh& mesh, Substance substance) {

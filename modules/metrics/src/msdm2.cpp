@@ -120,17 +120,7 @@ const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
 
 const std::vector<double>& Msdm2::Prepared::clearances() const {
     constexpr double of_marks = 2.5e-3; // times the longest side: twice what all but few vertices move
-    std::call_once(cleared_, [&] {
-        const TriangleMesh& mesh = tree.mesh();
-        clearances_.resize(mesh.positions.size(), 0.0);
-        parallel_blocks(clearances_.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t v = begin; v < end; ++v) {
-                const std::span<const Index> own = graph.triangles_at(v);
-                if (std::ranges::any_of(own, [&](Index f) { return tree.has_area(f); }))
-                    clearances_[v] = tree.distance_but(own, mesh.positions[v], of_marks * own_side);
-            }
-        });
-    });
+    std::call_once(cleared_, [&] { clearances_ = tree.clearances(of_marks * own_side); });
     return clearances_;
 }
 
@@ -237,12 +227,7 @@ std::vector<double> Msdm2::field(const TriangleMesh& distorted) const {
 
 Msdm2Sample Msdm2::sample(const TriangleMesh& distorted, std::size_t windows) const {
     return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {
-        const std::vector<Index> used = used_vertices(distorted, around);
-        const std::size_t stride = (used.size() + windows - 1) / windows;
-        std::vector<Index> some;
-        for (std::size_t i = 0; i < used.size(); i += stride)
-            some.push_back(used[i]);
-        return prepared_->sample(distorted, around, std::move(some));
+        return prepared_->sample(distorted, around, some_of(used_vertices(distorted, around), windows));
     });
 }
 

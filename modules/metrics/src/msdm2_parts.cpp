@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "msdm2_parts.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include <wm3d/core/parallel.hpp>
@@ -23,6 +24,14 @@ PerScale blend(const TriangleMesh& mesh, Index triangle, const std::vector<PerSc
         blended[k] =
             weights[0] * values[t[0]][k] + weights[1] * values[t[1]][k] + weights[2] * values[t[2]][k];
     return blended;
+}
+
+std::vector<Index> some_of(const std::vector<Index>& vertices, std::size_t most) {
+    const std::size_t stride = std::bit_ceil((vertices.size() + most - 1) / most);
+    std::vector<Index> some;
+    for (std::size_t i = 0; i < vertices.size(); i += stride)
+        some.push_back(vertices[i]);
+    return some;
 }
 
 double minkowski_mean(const std::vector<double>& local, double exponent) {

@@ -20,6 +20,10 @@ inline PerScale times(double factor, const PerScale& values) {
 /// Values at a triangle's corners, each weighted by the area that `p` spans with the side opposite.
 PerScale blend(const TriangleMesh& mesh, Index triangle, const std::vector<PerScale>& values, const Vec3& p);
 
+/// At most `most` of vertices, one in a power of two, which of a mesh `along_curve` leaves one of each cell.
+/// \pre  most > 0
+std::vector<Index> some_of(const std::vector<Index>& vertices, std::size_t most);
+
 /// Of local distances.
 double minkowski_mean(const std::vector<double>& local, double exponent);
 

@@ -326,12 +326,8 @@ Msdm2Patches& Msdm2Patches::operator=(Msdm2Patches&&) noexcept = default;
 
 Msdm2Sample Msdm2Patches::sample(const std::vector<Vec3>& distorted, std::size_t windows,
                                  std::size_t window_vertices) const {
-    const std::vector<Index> used = prepared_->used_vertices();
-    const std::size_t step = (used.size() + windows - 1) / windows;
-    std::vector<Index> some;
-    for (std::size_t i = 0; i < used.size(); i += step)
-        some.push_back(used[i]);
-    return prepared_->sample(distorted, std::move(some), stride(window_vertices));
+    return prepared_->sample(distorted, some_of(prepared_->used_vertices(), windows),
+                             stride(window_vertices));
 }
 
 Msdm2Sample Msdm2Patches::at(const std::vector<Vec3>& distorted, std::vector<Index> vertices,

@@ -57,8 +57,8 @@ ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec
     return on(best.triangle, query);
 }
 
-double SurfaceTree::distance_but(std::span<const Index> left_out, const Vec3& query, double most) const {
-    return std::sqrt(boxes_->nearest_but(left_out, query, most * most).square);
+std::vector<double> SurfaceTree::clearances(double most) const {
+    return boxes_->clearances(most);
 }
 
 ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {

@@ -62,30 +62,35 @@ NumberedTriangle TriangleBoxes::numbered(Index triangle) const {
     return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]], triangle};
 }
 
-void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end,
-                          const std::vector<Vec3>& centres) {
+TriangleBoxes::Box TriangleBoxes::box_of(Index triangle) const {
+    const NumberedTriangle t = numbered(triangle);
+    return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
+}
+
+/// Half of the triangles on either side of the median, in the direction in which their centroids lie widest.
+void TriangleBoxes::halve(std::size_t begin, std::size_t end, const std::vector<Vec3>& centres) {
     const auto at = [&](std::size_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
-    const Vec3& somewhere = mesh_.positions[mesh_.triangles[triangles_[begin]][0]];
-    Box box{somewhere, somewhere}, around{centres[triangles_[begin]], centres[triangles_[begin]]};
-    std::for_each(at(begin), at(end), [&](Index f) {
-        for (Index v : mesh_.triangles[f]) {
-            box.min = box.min.cwiseMin(mesh_.positions[v]);
-            box.max = box.max.cwiseMax(mesh_.positions[v]);
-        }
-        around.min = around.min.cwiseMin(centres[f]);
-        around.max = around.max.cwiseMax(centres[f]);
-    });
-    boxes_[node] = box;
-    if (is_leaf(node))
-        return;
-    // Half of the triangles on either side of the widest direction's median.
+    Box around{centres[triangles_[begin]], centres[triangles_[begin]]};
+    std::for_each(at(begin), at(end), [&](Index f) { around.include({centres[f], centres[f]}); });
     Eigen::Index axis = 0;
     (around.max - around.min).maxCoeff(&axis);
-    const std::size_t half = middle(begin, end);
-    std::nth_element(at(begin), at(half), at(end), [&](Index s, Index t) {
+    std::nth_element(at(begin), at(middle(begin, end)), at(end), [&](Index s, Index t) {
         const double x = centres[s][axis], y = centres[t][axis];
         return x < y || (x == y && s < t);
     });
+}
+
+void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end,
+                          const std::vector<Vec3>& centres) {
+    Box& box = boxes_[node];
+    if (is_leaf(node)) {
+        box = box_of(triangles_[begin]);
+        for (std::size_t i = begin + 1; i < end; ++i)
+            box.include(box_of(triangles_[i]));
+        return;
+    }
+    halve(begin, end, centres);
+    const std::size_t half = middle(begin, end);
     const auto left = [&] { build(2 * node + 1, begin, half, centres); };
     const auto right = [&] { build(2 * node + 2, half, end, centres); };
     if (end - begin > worth_a_thread)
@@ -94,6 +99,8 @@ void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end,
         left();
         right();
     }
+    box = boxes_[2 * node + 1];
+    box.include(boxes_[2 * node + 2]);
 }
 
 template<typename Wanted>
@@ -132,10 +139,100 @@ NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known)
     return search(query, known, [](Index) { return true; });
 }
 
-NearestTriangle TriangleBoxes::nearest_but(std::span<const Index> left_out, const Vec3& query,
-                                           double square) const {
-    return search(query, {no_index, square},
-                  [&](Index f) { return std::ranges::find(left_out, f) == left_out.end(); });
+namespace {
+
+bool has_corner(const Triangle& t, Index vertex) {
+    return t[0] == vertex || t[1] == vertex || t[2] == vertex;
+}
+
+} // namespace
+
+/// Triangles of the leaves whose boxes meet another box, or the first of them where they are more than `most`.
+std::vector<Index> TriangleBoxes::meeting(const Box& box, std::size_t most) const {
+    struct Pending {
+        std::size_t node, begin, end;
+    };
+    std::vector<Index> found;
+    std::array<Pending, 64> stack;
+    std::size_t size = 0;
+    stack[size++] = {0, 0, triangles_.size()};
+    while (size > 0 && found.size() <= most) {
+        const Pending at = stack[--size];
+        if (!boxes_[at.node].meets(box))
+            continue;
+        if (is_leaf(at.node)) {
+            const auto leaf = triangles_.begin() + static_cast<std::ptrdiff_t>(at.begin);
+            found.insert(found.end(), leaf, leaf + static_cast<std::ptrdiff_t>(at.end - at.begin));
+            continue;
+        }
+        const std::size_t left = 2 * at.node + 1, half = middle(at.begin, at.end);
+        stack[size++] = {left + 1, half, at.end};
+        stack[size++] = {left, at.begin, half};
+    }
+    return found;
+}
+
+double TriangleBoxes::clearance(Index vertex, double most) const {
+    const NearestTriangle unknown{no_index, most * most};
+    const auto other = [&](Index f) { return !has_corner(mesh_.triangles[f], vertex); };
+    return std::sqrt(search(mesh_.positions[vertex], unknown, other).square);
+}
+
+/// Of one vertex from some triangles, those around it.
+double TriangleBoxes::clearance(Index vertex, std::span<const Boxed> triangles, double most) const {
+    const Vec3& p = mesh_.positions[vertex];
+    double square = most * most;
+    for (const auto& [box, f] : triangles) {
+        if (!(box.squared_distance(p) < square) || has_corner(mesh_.triangles[f], vertex))
+            continue;
+        const NumberedTriangle t = numbered(f);
+        square = std::min(square, squared_distance_to_triangle(p, t.a, t.b, t.c));
+    }
+    return std::sqrt(square);
+}
+
+/// Of vertices that lie close together, so that they share one way down the tree, into `clearances`, #V.
+void TriangleBoxes::clear(std::span<const Index> vertices, double most,
+                          std::vector<double>& clearances) const {
+    constexpr std::size_t most_around = 160; // where triangles are long, each vertex has its own way
+    Box box{mesh_.positions[vertices[0]], mesh_.positions[vertices[0]]};
+    for (const Index v : vertices) {
+        box.min = box.min.cwiseMin(mesh_.positions[v]);
+        box.max = box.max.cwiseMax(mesh_.positions[v]);
+    }
+    box.min.array() -= most;
+    box.max.array() += most;
+    const std::vector<Index> found = meeting(box, most_around);
+    std::vector<Boxed> around;
+    if (found.size() <= most_around)
+        for (const Index f : found)
+            if (const Box own = box_of(f); own.meets(box))
+                around.push_back({own, f});
+    for (const Index v : vertices)
+        clearances[v] = found.size() <= most_around ? clearance(v, around, most) : clearance(v, most);
+}
+
+std::vector<double> TriangleBoxes::clearances(double most) const {
+    constexpr std::size_t group = 16; // triangles whose corners are looked at together
+    constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> first(mesh_.positions.size(), nowhere); // place of a vertex's first triangle
+    for (std::size_t i = triangles_.size(); i-- > 0;)
+        for (const Index v : mesh_.triangles[triangles_[i]])
+            first[v] = i;
+    std::vector<double> clearances(mesh_.positions.size(), 0.0);
+    parallel_blocks(triangles_.size(), 32 * group, [&](std::size_t begin, std::size_t end) {
+        std::vector<Index> vertices;
+        for (std::size_t i = begin; i < end; ++i) {
+            for (const Index v : mesh_.triangles[triangles_[i]])
+                if (first[v] == i && std::ranges::find(vertices, v) == vertices.end())
+                    vertices.push_back(v);
+            if (((i + 1) % group == 0 || i + 1 == end) && !vertices.empty()) {
+                clear(vertices, most, clearances);
+                vertices.clear();
+            }
+        }
+    });
+    return clearances;
 }
 
 } // namespace wm3d::metrics

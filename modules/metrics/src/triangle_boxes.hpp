@@ -52,10 +52,9 @@ public:
     /// bettered: the closer it is, the shorter the search.
     NearestTriangle nearest(const Vec3& query, NearestTriangle known = {}) const;
 
-    /// The same among all triangles but those listed; `no_index` if there are no others within `square`, a squared
-    /// distance.
-    NearestTriangle nearest_but(std::span<const Index> left_out, const Vec3& query,
-                                double square = std::numeric_limits<double>::infinity()) const;
+    /// Distance of each vertex of the mesh from the triangles that it is no corner of, #V, or `most` if they are all
+    /// farther; 0 for corners of no triangle of the tree.
+    std::vector<double> clearances(double most) const;
 
 private:
     struct Box {
@@ -63,10 +62,28 @@ private:
         double squared_distance(const Vec3& p) const {
             return (min - p).cwiseMax(p - max).cwiseMax(0.0).squaredNorm();
         }
+        void include(const Box& other) {
+            min = min.cwiseMin(other.min);
+            max = max.cwiseMax(other.max);
+        }
+        bool meets(const Box& other) const {
+            return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
+        }
+    };
+
+    struct Boxed {
+        Box box;
+        Index triangle;
     };
 
     template<typename Wanted>
     NearestTriangle search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const;
+    Box box_of(Index triangle) const;
+    std::vector<Index> meeting(const Box& box, std::size_t most) const;
+    double clearance(Index vertex, double most) const;
+    double clearance(Index vertex, std::span<const Boxed> triangles, double most) const;
+    void clear(std::span<const Index> vertices, double most, std::vector<double>& clearances) const;
+    void halve(std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
     void build(std::size_t node, std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
     bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
 

@@ -52,24 +52,27 @@ TEST_CASE("trees of any number of triangles find what a search over all finds") 
     }
 }
 
-TEST_CASE("some triangles may be left out of a search") {
-    const TriangleMesh mesh = shapes::blob(300, 1);
-    auto corners = corners_of(mesh, mesh.triangles.size());
+TEST_CASE("a vertex is clear of the triangles that it is no corner of, as far as was asked") {
+    TriangleMesh mesh = shapes::blob(300, 1);
+    const auto second_sheet = static_cast<Index>(mesh.positions.size());
+    for (Index k = 0; k < 3; ++k)
+        mesh.positions.push_back(1.001 * mesh.positions[mesh.triangles[5][k]]);
+    mesh.triangles.push_back({second_sheet, second_sheet + 1, second_sheet + 2});
+    mesh.positions.emplace_back(9, 9, 9); // a corner of nothing
+    const auto corners = corners_of(mesh, mesh.triangles.size());
     const TriangleBoxes boxes(mesh, first(corners.size()));
-    const Vec3 query = mesh.positions[7];
-    std::vector<Index> left_out;
-    for (int i = 0; i < 9; ++i) {
-        const auto expected = by_search(corners, query), found = boxes.nearest_but(left_out, query);
-        CHECK(found.triangle == expected.triangle);
-        CHECK(found.square == expected.square);
-        CHECK(boxes.nearest_but(left_out, query, 1.01 * expected.square + 1e-20).triangle ==
-              expected.triangle);
-        if (expected.square > 0)
-            CHECK(boxes.nearest_but(left_out, query, 0.99 * expected.square).triangle == no_index);
-        left_out.push_back(found.triangle);
-        std::erase_if(corners, [&](const auto& t) { return t.number == found.triangle; });
+    for (double most : {1e-6, 0.01, 0.1, std::numeric_limits<double>::infinity()}) {
+        const std::vector<double> clearances = boxes.clearances(most);
+        REQUIRE(clearances.size() == mesh.positions.size());
+        CHECK(clearances.back() == 0);
+        for (Index v = 0; v + 1 < mesh.positions.size(); ++v) {
+            double square = most * most;
+            for (const auto& t : corners)
+                if (std::ranges::find(mesh.triangles[t.number], v) == mesh.triangles[t.number].end())
+                    square = std::min(square, squared_distance_to_triangle(mesh.positions[v], t.a, t.b, t.c));
+            REQUIRE(clearances[v] == doctest::Approx(std::sqrt(square)).epsilon(1e-9));
+        }
     }
-    CHECK(TriangleBoxes(mesh, first(1)).nearest_but(std::vector<Index>{0}, query).triangle == no_index);
 }
 
 TEST_CASE(

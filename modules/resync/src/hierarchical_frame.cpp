@@ -39,9 +39,9 @@ double relative_gap(const Vec3& moments, int i, int j) {
     return std::abs(moments[i] - moments[j]) / std::max(moments[i], moments[j]);
 }
 
-Ambiguity ambiguity_of(const Vec3& moments, double least_gap) {
-    const int equal = (relative_gap(moments, 0, 1) < least_gap) + (relative_gap(moments, 1, 2) < least_gap);
-    return equal == 2 ? Ambiguity::all : equal == 1 ? Ambiguity::plane : Ambiguity::none;
+/// Descending.
+Vec3 eigenvalues(const Mat3& covariance) {
+    return Eigen::SelfAdjointEigenSolver<Mat3>(covariance, Eigen::EigenvaluesOnly).eigenvalues().reverse();
 }
 
 /// Turn about axis k that a relative change of the moments can cause, in degrees: perturbation over
@@ -113,6 +113,13 @@ Frame with_signs_of(const Frame& frame, const Frame& like) {
         choices, {}, [&](const Frame& choice) { return angle_between(choice.axes, like.axes); });
 }
 
+Ambiguity ambiguity_of(const CentralMoments& moments, double ambiguous_gap) {
+    const Vec3 values = eigenvalues(moments.covariance);
+    const int equal =
+        (relative_gap(values, 0, 1) < ambiguous_gap) + (relative_gap(values, 1, 2) < ambiguous_gap);
+    return equal == 2 ? Ambiguity::all : equal == 1 ? Ambiguity::plane : Ambiguity::none;
+}
+
 std::string_view describe(Ambiguity ambiguity) {
     switch (ambiguity) {
     case Ambiguity::none:
@@ -172,8 +179,7 @@ FrameEstimate estimate_frame(const Frame& finest, std::size_t vertices, const Hi
     estimate.substance = substance;
     estimate.finest = finest;
     const Mat3 covariance = hierarchy.moments.of(substance).covariance;
-    const Eigen::SelfAdjointEigenSolver<Mat3> eigen(covariance, Eigen::EigenvaluesOnly);
-    estimate.moments = eigen.eigenvalues().reverse() / (estimate.finest.scale * estimate.finest.scale);
+    estimate.moments = eigenvalues(covariance) / (estimate.finest.scale * estimate.finest.scale);
     estimate.levels.push_back({vertices, estimate.finest.axes, 0});
     for (const Hierarchy::Level& level : hierarchy.coarser)
         estimate.levels.push_back(level_of(level, estimate, covariance));
@@ -184,7 +190,7 @@ FrameEstimate estimate_frame(const Frame& finest, std::size_t vertices, const Hi
     const double change = estimate.levels.size() > 1 ? estimate.levels[1].change : 0;
     for (int k = 0; k < 3; ++k)
         estimate.uncertainty[k] = turn_about(estimate.moments, k, std::max(change, options.least_change));
-    estimate.ambiguity = ambiguity_of(estimate.moments, options.ambiguous_gap);
+    estimate.ambiguity = ambiguity_of(hierarchy.moments.of(substance), options.ambiguous_gap);
     return estimate;
 }
 

@@ -56,6 +56,7 @@ TEST_CASE("the levels agree on a shape with clear axes, and only few poses are t
 
 TEST_CASE("a sphere, a cube and a body of revolution are ambiguous") {
     CHECK(estimate(shapes::sphere(2, 30)).ambiguity == resync::Ambiguity::all);
+    CHECK(resync::ambiguity_of(shape_moments(shapes::sphere(2, 30)).own()) == resync::Ambiguity::all);
     CHECK(estimate(shapes::box({1, 1, 1}, 12)).ambiguity == resync::Ambiguity::all);
     CHECK(estimate(shapes::ellipsoid({1, 1, 0.5}, 30)).ambiguity == resync::Ambiguity::plane);
     CHECK(estimate(shapes::torus(1, 0.3, 40, 20)).ambiguity == resync::Ambiguity::plane);

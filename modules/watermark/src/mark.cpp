@@ -55,7 +55,10 @@ constexpr std::uint64_t mask_family = 0x6d61736b;
 constexpr double first_strength = 0.02;
 
 /// Meshes of more vertices don't fit a processor's caches.
-constexpr std::size_t worth_sorting = 60'000;
+constexpr std::size_t worth_sorting = 20'000;
+
+/// On meshes of more vertices nothing is made at once that takes memory while it is made.
+constexpr std::size_t large = 60'000;
 
 /// Triangles of meshes of more vertices are too small for a crease to be seen, and their hinges take much memory.
 constexpr std::size_t most_creased = 200'000;
@@ -98,6 +101,7 @@ struct Marker::Base {
 struct Marker::Carried {
     std::optional<sphere::SparseRows> rows; ///< B for all vertices, unless they are many
     masking::Carriers carriers;
+    std::optional<masking::Creases> creases; ///< unless the mesh is large
     double usual_factor =
         0; ///< of moves that are seen about as much as `default_visibility`; 0 where unknown
 };
@@ -114,8 +118,8 @@ struct Marker::Made {
 Marker::Marker(const TriangleMesh& mesh, std::size_t vertices, const Progress& progress)
     : sorted_(mesh.positions.size() > worth_sorting ? along_curve(mesh) : Reordered{}),
       mesh_(sorted_.original.empty() ? mesh : sorted_.mesh), vertices_(vertices), progress_(progress),
-      frame_(canonical_frame(mesh_)), diagonal_(surface_box(mesh_).diagonal()),
-      made_(std::make_unique<Made>()) {}
+      moments_(shape_moments(mesh_)), frame_(principal_frame(mesh_, moments_.own())),
+      diagonal_(surface_box(mesh_).diagonal()), made_(std::make_unique<Made>()) {}
 
 Marker::~Marker() = default;
 
@@ -146,8 +150,8 @@ const masking::Budget& Marker::made_budget() const {
 /// What doesn't depend on each other is made at once, but on large meshes, where each takes memory while it is made.
 Marker::Carried Marker::fresh_carriers(unsigned level) const {
     std::optional<Carried> fresh;
-    const auto make = [&] { fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_)}; };
-    if (sorted_.original.empty()) {
+    const auto make = [&] { fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_), std::nullopt}; };
+    if (mesh_.positions.size() <= large) {
         parallel_invoke([&] { made_budget(); }, make);
         fresh->rows = rows(level, 0, mesh_.positions.size());
     } else {
@@ -157,19 +161,37 @@ Marker::Carried Marker::fresh_carriers(unsigned level) const {
     return *std::move(fresh);
 }
 
-const Marker::Carried& Marker::carried(unsigned level) const {
+/// Weighs the mask by a trial mark.
+void Marker::weigh(Carried& carried, unsigned level) const {
+    masking::Carriers& carriers = carried.carriers;
+    const std::vector<double> moves = carriers.carry(
+        bumps(carried, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)));
+    const double rms = percent_of_diagonal(carriers.rms(moves));
+    if (!(rms > 0))
+        return;
+    const auto trial = [&](double strength) { return moved(carriers, moves, strength / rms); };
+    carried.usual_factor = made_budget().equalize(carriers, trial, default_visibility, first_strength) / rms;
+}
+
+/// \param meanwhile  done with the carriers, while they are weighed if they are new
+const Marker::Carried& Marker::carried(unsigned level, const Meanwhile& meanwhile) const {
     const std::lock_guard lock(made_->guard);
-    if (const auto found = made_->carried.find(level); found != made_->carried.end())
-        return found->second;
-    Carried fresh = fresh_carriers(level);
-    const std::vector<double> moves = fresh.carriers.carry(
-        bumps(fresh, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)));
-    if (const double rms = percent_of_diagonal(fresh.carriers.rms(moves)); rms > 0) {
-        const auto trial = [&](double strength) { return moved(fresh.carriers, moves, strength / rms); };
-        fresh.usual_factor =
-            made_budget().equalize(fresh.carriers, trial, default_visibility, first_strength) / rms;
+    auto found = made_->carried.find(level);
+    if (found == made_->carried.end()) {
+        Carried fresh = fresh_carriers(level);
+        parallel_invoke(
+            [&] {
+                if (meanwhile)
+                    meanwhile(fresh);
+                if (mesh_.positions.size() <= large)
+                    fresh.creases.emplace(mesh_, fresh.carriers.normals());
+            },
+            [&] { weigh(fresh, level); });
+        found = made_->carried.emplace(level, std::move(fresh)).first;
+    } else if (meanwhile) {
+        meanwhile(found->second);
     }
-    return made_->carried.emplace(level, std::move(fresh)).first->second;
+    return found->second;
 }
 
 /// B for some vertices.
@@ -264,10 +286,14 @@ struct Marker::Layout {
 };
 
 Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
-    const Carried& with = carried(level);
-    std::vector<double> moves = bumps(with, level, w);
-    const double unit = percent_of_diagonal(with.carriers.rms(moves));
-    moves = with.carriers.carry(std::move(moves));
+    std::vector<double> smooth;
+    double unit = 0;
+    const Carried& with = carried(level, [&](const Carried& made) {
+        smooth = bumps(made, level, w);
+        unit = percent_of_diagonal(made.carriers.rms(smooth));
+        smooth = made.carriers.smooth(std::move(smooth));
+    });
+    const std::vector<double> moves = with.carriers.masked(std::move(smooth));
     const double rms = percent_of_diagonal(with.carriers.rms(moves));
     require_move(rms);
     return {[this, &with, moves = std::move(moves), rms](double strength) {
@@ -326,16 +352,22 @@ double Marker::normal_rms(std::span<const Vec3> moved) const {
 
 /// Takes back what folds creases, which the budget doesn't see, and spends nothing of what that saves: it would go
 /// into folds again.
-void Marker::uncrease(Marked& marked, double visibility) const {
+void Marker::uncrease(Marked& marked, double visibility,
+                      const std::optional<masking::WeightyWindows>& weighty) const {
     masking::CreaseOptions options;
     options.flat *= visibility / default_visibility;
     options.share *= visibility / default_visibility;
+    const Carried& with = carried(marked.level);
+    const std::vector<Vec3>& normals = with.carriers.normals();
+    std::optional<masking::Creases> of_large;
+    const masking::Creases& creases = with.creases ? *with.creases : of_large.emplace(mesh_, normals);
     std::vector<Vec3> positions =
-        masking::without_creases(mesh_, carriers(marked.level).normals(), marked.positions, options);
+        masking::without_creases(creases, mesh_, normals, marked.positions, options);
     embed::turn_back(mesh_, positions);
     if (positions == marked.positions)
         return;
-    const double seen = budget().visible(positions);
+    const double seen =
+        weighty && !marked.seen_by_few ? budget().followed(positions, *weighty) : budget().visible(positions);
     if (seen > visibility) // where MSDM2 jumps
         return;
     marked.positions = std::move(positions);
@@ -355,10 +387,12 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.level = setting.level;
     marked.rmax = setting.rmax;
     marked.frame = frame_;
+    marked.ambiguity = resync::ambiguity_of(moments_.own());
     marked.diagonal = diagonal_;
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
     std::vector<char> still;
+    std::optional<masking::WeightyWindows> weighty;
     const auto laid = [&](double strength) {
         std::vector<Vec3> positions = layout.positions(strength);
         for (std::size_t i = 0; i < still.size(); ++i)
@@ -381,6 +415,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
                                          seen));
         strength = fit.strength;
         still = std::move(fit.still);
+        weighty = std::move(fit.weighty);
         marked.msdm2 = fit.msdm2;
         marked.seen_by_few = fit.by_few;
     }
@@ -391,7 +426,7 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
     marked.positions = laid(strength);
     if (setting.visibility && marked.profile == Profile::masked && mesh_.positions.size() <= most_creased)
-        uncrease(marked, *setting.visibility);
+        uncrease(marked, *setting.visibility, weighty);
     marked.distortion = marked.profile == Profile::masked
                             ? embed::distortion(mesh_, marked.positions, carriers(setting.level).normals())
                             : embed::distortion(mesh_, marked.positions);

@@ -253,21 +253,16 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     MarkedModel result;
     result.coordinate_step = model.coordinate_step();
     model.let_bytes_go();
-    std::optional<TooVisible> reason;
-    const auto mark_or_tell = [&] {
-        try {
-            const auto stored = [&](std::span<const Vec3> wanted) { return model.stored_positions(wanted); };
-            result.marked = mark(model.mesh(), key, options.mark, progress, stored);
-        } catch (const TooVisible& too_visible) {
-            reason = too_visible;
-        }
-    };
-    parallel_invoke([&] { result.ambiguity = ambiguity_of(model.mesh()); }, mark_or_tell);
-    if (reason) {
+    try {
+        const auto stored = [&](std::span<const Vec3> wanted) { return model.stored_positions(wanted); };
+        result.marked = mark(model.mesh(), key, options.mark, progress, stored);
+        result.ambiguity = result.marked.ambiguity;
+    } catch (const TooVisible& too_visible) {
+        result.ambiguity = resync::ambiguity_of(shape_moments(model.mesh()).own());
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
             result.remedy =
-                fmt::format("{}; {}", reason->what(), remedy(model, key, options, result, progress));
+                fmt::format("{}; {}", too_visible.what(), remedy(model, key, options, result, progress));
         return result;
     }
     constexpr std::size_t dense = 200'000;

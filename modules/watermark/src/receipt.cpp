@@ -34,10 +34,4 @@ resync::Receipt make_receipt(const TriangleMesh& mesh, const Marked& marked, con
     return receipt;
 }
 
-resync::Ambiguity ambiguity_of(const TriangleMesh& mesh, const Progress& progress) {
-    resync::HierarchyOptions moments_alone;
-    moments_alone.levels.clear();
-    return resync::estimate_frame(mesh, mesh, moments_alone, progress).ambiguity;
-}
-
 } // namespace wm3d::watermark

@@ -5,3 +5,4 @@
 #include <wm3d/masking/budget.hpp>
 #include <wm3d/masking/carriers.hpp>
 #include <wm3d/masking/creases.hpp>
+#include <wm3d/masking/weighty_windows.hpp>

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <wm3d/masking/carriers.hpp>
+#include <wm3d/masking/weighty_windows.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 #include <wm3d/metrics/msdm2.hpp>
 #include <wm3d/metrics/msdm2_patches.hpp>
@@ -26,6 +27,7 @@ struct Fit {
     bool reached = false;         ///< whether `msdm2` lies just below the budget; else no strength came there
     bool by_few = false;          ///< whether few vertices decide `msdm2`
     std::vector<char> still = {}; ///< vertices that are to stay where they are, #V; empty where none are
+    std::optional<WeightyWindows> weighty = {}; ///< that `msdm2` was followed by, if it was
 };
 
 struct BudgetOptions {
@@ -35,15 +37,16 @@ struct BudgetOptions {
     /// Meshes of more vertices are looked at through about `windows` of them, since those of neighbours overlap,
     /// but where few decide.
     std::size_t most_windows = 20'000;
-    std::size_t windows = 18'000;
-    double few = 0.0075; ///< standard error of what is seen from which few windows decide it
-    double glaring = 5;  ///< times the budget: seen so, a vertex isn't worth what it costs where few spend it
+    std::size_t windows = 14'000; ///< at most, and more than half of that
+    double few = 0.0075;          ///< standard error of what is seen from which few windows decide it
+    double glaring = 5; ///< times the budget: seen so, a vertex isn't worth what it costs where few spend it
     std::size_t most_jumpy =
         60'000; ///< meshes of more vertices are not looked through for jumps, nor for the few
-    std::size_t mask_windows = 8'000; ///< of the trial mark that the mask is weighed by
+    std::size_t mask_windows = 14'000; ///< of the trial mark that the mask is weighed by
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
     std::size_t most_whole = 200'000;
+    std::size_t patch_windows = 18'000, mask_patch_windows = 9'000; ///< of such a mesh
     std::size_t glance_vertices = 128; ///< of a window of such a mesh, while its mask is weighed
     double sampling_margin = 0.005;    ///< part of the budget that is left where not all are opened
 };
@@ -58,6 +61,9 @@ public:
 
     /// MSDM2 of the moved mesh; on meshes of more vertices than `most_windows` an estimate.
     double visible(const std::vector<Vec3>& positions) const;
+
+    /// The same of a mark that differs little from the one that `from` was made of, unless few windows decide.
+    double followed(const std::vector<Vec3>& positions, const WeightyWindows& from) const;
 
     /// Finds the strength whose mark is seen with MSDM2 `budget`: MSDM2 grows about as a power of the
     /// strength, so that a few evaluations do.
@@ -81,6 +87,11 @@ public:
     double equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const;
 
 private:
+    /// What is seen of a mark of a strength.
+    struct Trial {
+        double strength = 0;
+        metrics::Msdm2Sample seen;
+    };
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
 
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
@@ -92,7 +103,7 @@ private:
     Fit fit_all(const MarkOfStrength& mark, double budget, double guess) const;
     Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
     Fit approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const;
-    double near_budget(const MarkOfStrength& mark, double budget, double guess) const;
+    Trial trial_look(const MarkOfStrength& mark, double budget, double guess) const;
     std::vector<char> glaring_places(const std::vector<Vec3>& positions, double glaring) const;
     std::vector<char> places_of_jumps(const MarkOfStrength& trial, double budget, double slightest) const;
 

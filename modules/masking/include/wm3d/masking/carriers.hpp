@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <wm3d/detect/surface_filter.hpp>
@@ -42,7 +43,13 @@ public:
     std::vector<double> moves(const sphere::SparseRows& rows, std::span<const double> w) const;
 
     /// The moves that bumps along the normals, #V, become.
-    std::vector<double> carry(std::vector<double> bumps) const;
+    std::vector<double> carry(std::vector<double> bumps) const { return masked(smooth(std::move(bumps))); }
+
+    /// (M + tL)^-1 M of bumps, #V, which doesn't depend on the mask.
+    std::vector<double> smooth(std::vector<double> bumps) const;
+
+    /// What the mask leaves of smooth bumps, #V.
+    std::vector<double> masked(std::vector<double> smooth) const;
 
     /// The bumps as they are along the normals, diag(d.n) B w, #V.
     std::vector<double> bumps(const sphere::SparseRows& rows, std::span<const double> w) const;

@@ -24,37 +24,38 @@ class Creases {
 public:
     /// \param mesh     any triangles; edges that don't have two triangles with an area are left out
     /// \param normals  unit, #V, along which vertices move
-    Creases(const TriangleMesh& mesh, std::span<const Vec3> normals, const CreaseOptions& options = {});
+    Creases(const TriangleMesh& mesh, std::span<const Vec3> normals);
 
     /// Takes back what folds a crease: projects the moves on one hinge's limits after the other (S. Kaczmarz 1937),
     /// by the least change relative to the moves, until all keep to theirs, to first order in the moves. What
     /// doesn't move stays.
     /// \param moves  #V, in units of the mesh
-    void limit(std::vector<double>& moves) const;
+    void limit(std::vector<double>& moves, const CreaseOptions& options = {}) const;
 
     /// The largest turn that moves make of any hinge, as a part of what it may turn, to first order.
-    double worst(std::span<const double> moves) const;
+    double worst(std::span<const double> moves, const CreaseOptions& options = {}) const;
 
 private:
     struct Hinge {
         std::array<Index, 4> vertices;
         std::array<double, 4> turns; ///< radians per move of each
-        double limit;                ///< radians
+        double angle;                ///< radians, between the triangles
     };
 
     void add(const TriangleMesh& mesh, std::span<const Vec3> normals, const std::array<Index, 4>& vertices);
     double turn(const Hinge& hinge, std::span<const double> moves) const;
-    std::vector<Index> turned_too_far(std::span<const double> moves) const;
+    std::vector<Index> turned_too_far(std::span<const double> moves, const CreaseOptions& options) const;
     std::vector<Index> around(std::span<const Index> hinges) const;
 
-    CreaseOptions options_;
     std::vector<Hinge> hinges_;
     std::vector<Index> first_, at_vertex_; ///< hinges of vertex v: at_vertex_[first_[v]] up to first_[v + 1]
 };
 
 /// Moved positions of the mesh, #V, whose moves along the normals fold no crease any more.
+/// \param creases  of the mesh and its normals
 /// \param normals  unit, #V
-std::vector<Vec3> without_creases(const TriangleMesh& mesh, std::span<const Vec3> normals,
-                                  std::vector<Vec3> moved, const CreaseOptions& options = {});
+std::vector<Vec3> without_creases(const Creases& creases, const TriangleMesh& mesh,
+                                  std::span<const Vec3> normals, std::vector<Vec3> moved,
+                                  const CreaseOptions& options = {});
 
 } // namespace wm3d::masking

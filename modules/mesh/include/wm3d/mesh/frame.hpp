@@ -69,6 +69,7 @@ struct ShapeMoments {
     std::vector<Substance> possible_substances() const;
 
     CentralMoments of(Substance substance) const;
+    CentralMoments own() const { return of(substance()); }
 };
 
 /// \throw GeometryError  if the surface has no area

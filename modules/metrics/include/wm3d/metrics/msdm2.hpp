@@ -70,7 +70,8 @@ public:
 
     /// Local distances at every k-th vertex of a triangle, so that at most `windows` are opened: an estimate
     /// for large meshes, where nearly all the time goes into windows of hundreds of vertices, which overlap.
-    /// Of all vertices where they are not more.
+    /// Of all vertices where they are not more. k is a power of two, which leaves one vertex of each cell of a
+    /// mesh `along_curve`.
     /// S is that of the reference, whose curvatures are then made once for all calls: an invisible
     /// distortion changes it by a ten thousandth.
     /// \pre  windows > 0

@@ -42,9 +42,9 @@ public:
     /// \pre  one of them has an area
     ClosestPoint closest_of(std::span<const Index> triangles, const Vec3& query) const;
 
-    /// Distance of all triangles but some, or `most` if they are all farther: the less that is, the shorter the search.
-    double distance_but(std::span<const Index> left_out, const Vec3& query,
-                        double most = std::numeric_limits<double>::infinity()) const;
+    /// Distance of each vertex of the mesh from the triangles with an area that it is no corner of, #V, or `most` if
+    /// they are all farther: the less that is, the shorter the search. 0 for corners of no triangle with an area.
+    std::vector<double> clearances(double most) const;
 
     const TriangleMesh& mesh() const { return *mesh_; }
 

@@ -35,6 +35,11 @@ enum class Ambiguity {
 /// One sentence for people.
 std::string_view describe(Ambiguity ambiguity);
 
+/// What the moments of a shape leave open.
+/// \param ambiguous_gap  as in HierarchyOptions
+Ambiguity ambiguity_of(const CentralMoments& moments,
+                       double ambiguous_gap = HierarchyOptions{}.ambiguous_gap);
+
 /// Principal axes of one level.
 struct LevelFrame {
     std::size_t vertices = 0;

@@ -44,6 +44,7 @@ struct MarkOptions {
 struct Marked {
     std::vector<Vec3> positions; ///< #V, in the coordinates of the mesh
     Frame frame;
+    resync::Ambiguity ambiguity = resync::Ambiguity::none; ///< of the frame
     std::size_t base_vertices = 0; ///< that carry the mark: of the base domain, or all of them
     Profile profile = Profile::masked;
     unsigned level = 0;
@@ -104,13 +105,15 @@ private:
     struct Carried;
     struct Layout;
     struct Made;
+    using Meanwhile = std::function<void(const Carried& with)>; ///< work that doesn't depend on the mask
 
     const TriangleMesh& canonical() const; ///< made at first need; `made_` has to be locked
     const Base& base() const;
     const masking::Budget& budget() const;
     const masking::Budget& made_budget() const; ///< `made_` has to be locked
     Carried fresh_carriers(unsigned level) const;
-    const Carried& carried(unsigned level) const;
+    const Carried& carried(unsigned level, const Meanwhile& meanwhile = {}) const;
+    void weigh(Carried& carried, unsigned level) const; ///< `made_` has to be locked
     sphere::SparseRows rows(unsigned level, std::size_t begin, std::size_t end) const;
     std::vector<double> bumps(const Carried& with, unsigned level, std::span<const double> w) const;
     Layout masked(std::span<const double> w, unsigned level) const;
@@ -124,13 +127,15 @@ private:
     std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
                             double factor) const; ///< in the coordinates of the mesh
 
-    void uncrease(Marked& marked, double visibility) const;
+    void uncrease(Marked& marked, double visibility,
+                  const std::optional<masking::WeightyWindows>& weighty) const;
     std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
 
     Reordered sorted_;         ///< a large mesh; else empty
     const TriangleMesh& mesh_; ///< that is worked on: the one given or, if it is large, `sorted_`
     std::size_t vertices_;
     Progress progress_;
+    ShapeMoments moments_;
     Frame frame_;
     double diagonal_;
     std::unique_ptr<Made> made_; ///< what was needed so far

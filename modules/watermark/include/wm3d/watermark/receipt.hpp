@@ -15,7 +15,4 @@ resync::Receipt make_receipt(const TriangleMesh& mesh, const Marked& marked, con
                              std::string_view original, std::string_view marked_file,
                              const Progress& progress = {});
 
-/// Whether the moments of a mesh leave open how it is turned.
-resync::Ambiguity ambiguity_of(const TriangleMesh& mesh, const Progress& progress = {});
-
 } // namespace wm3d::watermark
