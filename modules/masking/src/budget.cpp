@@ -16,9 +16,6 @@ constexpr double usual_slope = 1, least_slope = 0.2, most_slope = 1.5;
 /// Strengths that differ by less are the same: between them MSDM2 may jump, but it doesn't grow.
 constexpr double same_strength = 1e-3;
 
-/// Below it MSDM2 is the rounding of its own arithmetic.
-constexpr double nothing = 1e-9;
-
 /// Positions of a mark, but where vertices are to stay; `still` may be empty.
 std::vector<Vec3> held(std::vector<Vec3> positions, const std::vector<Vec3>& original,
                        const std::vector<char>& still) {
@@ -106,7 +103,7 @@ metrics::Msdm2Sample Budget::look_closely(const std::vector<Vec3>& positions) co
     const std::size_t vertices = mesh_.positions.size();
     if (vertices <= options_.most_windows)
         return look(positions, vertices);
-    metrics::Msdm2Sample seen = look(positions, patches_ ? options_.patch_windows : options_.windows);
+    metrics::Msdm2Sample seen = look(positions, options_.windows);
     return decided_by_few(seen) ? look(positions, vertices) : seen;
 }
 
@@ -118,7 +115,7 @@ bool Budget::decided_by_few(const metrics::Msdm2Sample& seen) const {
 double Budget::visible(const std::vector<Vec3>& positions) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return exactly(positions);
-    return look_closely(positions).mean;
+    return patches_ ? visible_dense(positions) : look_closely(positions).mean;
 }
 
 double Budget::followed(const std::vector<Vec3>& positions, const WeightyWindows& from) const {
@@ -158,6 +155,8 @@ Fit Budget::fit_all(const MarkOfStrength& mark, double budget, double guess) con
                         options_.tolerance);
     if (mesh_.positions.size() > options_.most_windows)
         budget *= 1 - options_.sampling_margin;
+    if (patches_)
+        return fit_dense(mark, budget, guess);
     return approach_from_full_look(mark, {guess}, budget);
 }
 
@@ -232,6 +231,10 @@ Budget::Trial Budget::trial_look(const MarkOfStrength& mark, double budget, doub
         return Trial{strength,
                      glance(mark(strength), patches_ ? options_.mask_patch_windows : options_.mask_windows)};
     };
+    if (patches_) // that look takes long
+        if (const double msdm2 = glance(mark(guess), options_.few_windows).mean;
+            msdm2 > nothing && !is_near(msdm2, budget))
+            guess = rescaled(guess, msdm2, budget);
     Trial trial = look_at_mask(guess);
     if (!(trial.seen.mean > nothing) || is_near(trial.seen.mean, budget))
         return trial;

@@ -32,4 +32,14 @@ double WeightyWindows::mean(std::span<const double> now) const {
     return mean_ * std::cbrt(sum / all);
 }
 
+WeightyWindows WeightyWindows::followed_on(std::span<const double> now, std::size_t part) const {
+    WeightyWindows some(mean(now));
+    for (std::size_t k = part / 2; k < vertices_.size(); k += part) {
+        some.vertices_.push_back(vertices_[k]);
+        some.before_.push_back(now[k]);
+        some.shares_.push_back(shares_[k] * std::pow(now[k] / before_[k], 3));
+    }
+    return some;
+}
+
 } // namespace wm3d::masking

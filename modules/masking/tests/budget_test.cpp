@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/shapes.hpp>
 
@@ -23,9 +24,9 @@ struct Host {
     sphere::SparseRows rows;
     std::vector<double> w;
 
-    Host()
-        : mesh([] {
-              const TriangleMesh blob = shapes::blob(4000, 11);
+    explicit Host(std::size_t vertices = 4000)
+        : mesh([&] {
+              const TriangleMesh blob = along_curve(shapes::blob(vertices, 11)).mesh;
               return to_frame(blob, canonical_frame(blob));
           }()),
           carriers(mesh), rows(sphere::barycentric_rows(sphere::Icosphere(level), mesh.positions)) {
@@ -176,4 +177,22 @@ TEST_CASE("few vertices that spend the budget stay where they are, and all other
             positions[i] = host.mesh.positions[i];
     CHECK(budget.visible(positions) <= 0.1);
     CHECK(static_cast<std::size_t>(std::ranges::count(few.still, 1)) < few.still.size() / 4);
+}
+
+TEST_CASE("the budget of a dense mesh is kept to by glances and a look at few windows") {
+    const Host host(20'000);
+    // As if it were dense: a glance is through some vertices of each window.
+    BudgetOptions options;
+    options.most_windows = options.most_jumpy = options.most_whole = 10'000;
+    options.dense_windows = 4'000;
+    options.glance_vertices = 10;
+    const Budget dense(host.mesh, options);
+    const Budget whole(host.mesh);
+    const double guess = 0.03;
+    const Fit fit = dense.fit_near(host.mark(), 0.1, guess);
+    CHECK(fit.reached);
+    const std::vector<Vec3> marked = host.mark()(fit.strength);
+    CHECK(whole.visible(marked) == doctest::Approx(fit.msdm2).epsilon(0.02));
+    CHECK(dense.visible(marked) == doctest::Approx(fit.msdm2).epsilon(0.02));
+    CHECK(dense.fit_near([&](double) { return host.mesh.positions; }, 0.1, guess).strength == 0);
 }

@@ -64,3 +64,18 @@ TEST_CASE("a window that outweighs all others stands for many shares") {
     calmer[77] = 1;
     CHECK(windows.mean(at(windows.vertices(), calmer)) == doctest::Approx(minkowski(calmer)).epsilon(0.02));
 }
+
+TEST_CASE("some of the windows follow on from where all of them came to") {
+    const metrics::Msdm2Sample all = sample(20'000);
+    const WeightyWindows windows(all, 500);
+    std::vector<double> uneven = all.local, later = all.local;
+    for (std::size_t i = 0; i < uneven.size(); ++i) {
+        uneven[i] *= 1 + 0.5 * std::cos(1e-3 * static_cast<double>(i));
+        later[i] = 1.1 * uneven[i];
+    }
+    const std::vector<double> now = at(windows.vertices(), uneven);
+    const WeightyWindows some = windows.followed_on(now, 4);
+    CHECK(some.vertices().size() == doctest::Approx(windows.vertices().size() / 4.0).epsilon(0.02));
+    CHECK(some.mean(at(some.vertices(), uneven)) == doctest::Approx(windows.mean(now)));
+    CHECK(some.mean(at(some.vertices(), later)) == doctest::Approx(1.1 * windows.mean(now)));
+}

@@ -256,9 +256,12 @@ std::vector<Vec3> Marker::in_file(std::span<const Vec3> moved) const {
 
 std::vector<Vec3> Marker::moved(const masking::Carriers& carriers, std::span<const double> moves,
                                 double factor) const {
+    constexpr std::size_t block = 16384;
     std::vector<Vec3> positions = mesh_.positions;
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        positions[i] += factor * frame_.scale * moves[i] * carriers.normals()[i];
+    parallel_blocks(positions.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            positions[i] += factor * frame_.scale * moves[i] * carriers.normals()[i];
+    });
     return positions;
 }
 

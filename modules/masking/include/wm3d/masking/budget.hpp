@@ -46,9 +46,13 @@ struct BudgetOptions {
     std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
     std::size_t most_whole = 200'000;
-    std::size_t patch_windows = 18'000, mask_patch_windows = 9'000; ///< of such a mesh
-    std::size_t glance_vertices = 128; ///< of a window of such a mesh, while its mask is weighed
-    double sampling_margin = 0.005;    ///< part of the budget that is left where not all are opened
+    std::size_t mask_patch_windows = 9'000; ///< of such a mesh, in place of `mask_windows`
+    std::size_t dense_windows = 6'000;      ///< of such a mesh, in a glance at a mark
+    std::size_t few_windows = 128;          ///< of such a mesh, in a first glance at a trial mark
+    std::size_t glance_vertices = 128;      ///< of a window of such a mesh, in a glance
+    std::size_t followed_part =
+        4; ///< one in so many of the windows that tell what is seen tells how that grows
+    double sampling_margin = 0.005; ///< part of the budget that is left where not all are opened
 };
 
 /// The one-sided MSDM2 of marks from the mesh they are for.
@@ -94,6 +98,8 @@ private:
     };
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
 
+    static constexpr double nothing = 1e-9; ///< less is the rounding of MSDM2's own arithmetic
+
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
     metrics::Msdm2Sample glance(const std::vector<Vec3>& positions, std::size_t windows) const;
     metrics::Msdm2Sample look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const;
@@ -101,6 +107,8 @@ private:
     metrics::Msdm2Sample look_closely(const std::vector<Vec3>& positions) const;
     bool decided_by_few(const metrics::Msdm2Sample& seen) const;
     Fit fit_all(const MarkOfStrength& mark, double budget, double guess) const;
+    Fit fit_dense(const MarkOfStrength& mark, double budget, double guess) const;
+    double visible_dense(const std::vector<Vec3>& positions) const;
     Fit approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const;
     Fit approach(const SeenOfStrength& seen, Fit tried, double budget, double tolerance) const;
     Trial trial_look(const MarkOfStrength& mark, double budget, double guess) const;

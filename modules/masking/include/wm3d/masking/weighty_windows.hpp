@@ -26,7 +26,13 @@ public:
     /// Minkowski's mean over all windows where the local distances at `vertices` have become `now`.
     double mean(std::span<const double> now) const;
 
+    /// Some of them, one in `part`, to follow on from where the local distances are `now`.
+    /// \pre  part > 0
+    WeightyWindows followed_on(std::span<const double> now, std::size_t part) const;
+
 private:
+    explicit WeightyWindows(double mean) : mean_(mean) {}
+
     double mean_;
     std::vector<Index> vertices_;
     std::vector<double> before_, shares_; ///< local distances, and how many shares each stands for
