@@ -11,7 +11,6 @@
 #include <fstream>
 #include <functional>
 #include <map>
-#include <ranges>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -241,9 +240,9 @@ void print_tables(const Rates& rates) {
         }
         fmt::print("| {} | {} of {} | {} of {} | {:.0f} | {:.0f} | {:.1f} | {:.0f} | {:.0f} | {} |\n", name,
                    std::ranges::count(results, true, &Result::present), results.size(),
-                   std::ranges::count(cells | std::views::values, true), cells.size(), middle(p),
-                   std::ranges::max(p), middle(seconds), std::ranges::max(seconds), middle(centres),
-                   std::ranges::max(effort));
+                   std::ranges::count(cells, true, &std::pair<const std::string, bool>::second), cells.size(),
+                   middle(p), std::ranges::max(p), middle(seconds), std::ranges::max(seconds),
+                   middle(centres), std::ranges::max(effort));
     }
 }
 
