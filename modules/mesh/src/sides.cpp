@@ -26,13 +26,23 @@ void for_each_side(const TriangleMesh& mesh, Visitor&& visit) {
 } // namespace
 
 std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+    return sorted_sides(mesh, 0, mesh.positions.size());
+}
+
+std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::size_t begin_low, std::size_t end_low) {
     // Filed under their lower ends: what is left to sort are the few at one vertex.
-    const std::size_t vertices = mesh.positions.size();
+    const std::size_t vertices = end_low - begin_low;
     std::vector<std::size_t> end(vertices + 1, 0);
-    for_each_side(mesh, [&](const Side& s) { ++end[s.low + 1]; });
+    const auto for_each = [&](auto&& visit) {
+        for_each_side(mesh, [&](const Side& s) {
+            if (s.low >= begin_low && s.low < end_low)
+                visit(s, s.low - begin_low);
+        });
+    };
+    for_each([&](const Side&, std::size_t low) { ++end[low + 1]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
     std::vector<Side> sides(end.back());
-    for_each_side(mesh, [&](const Side& s) { sides[end[s.low]++] = s; });
+    for_each([&](const Side& s, std::size_t low) { sides[end[low]++] = s; });
     parallel_blocks(vertices, 4096, [&](std::size_t first, std::size_t last) {
         for (std::size_t v = first; v < last; ++v) {
             const auto begin = static_cast<std::ptrdiff_t>(v == 0 ? 0 : end[v - 1]);

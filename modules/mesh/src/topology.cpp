@@ -83,13 +83,18 @@ Topology inspect_topology(const TriangleMesh& mesh) {
 
 std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
     std::vector<Side> borders;
-    Sets sets(mesh.positions.size());
-    for_each_edge(sorted_sides(mesh), [&](std::span<const Side> edge) {
-        if (edge.size() != 1)
-            return;
-        borders.push_back(edge[0]);
-        sets.join(edge[0].low, edge[0].high);
-    });
+    const std::size_t vertices = mesh.positions.size();
+    Sets sets(vertices);
+    const std::size_t at_once =
+        std::max<std::size_t>(262'144, vertices / 4 + 1); // lower ends, for memory's sake
+    for (std::size_t begin = 0; begin < vertices; begin += at_once)
+        for_each_edge(sorted_sides(mesh, begin, std::min(begin + at_once, vertices)),
+                      [&](std::span<const Side> edge) {
+                          if (edge.size() != 1)
+                              return;
+                          borders.push_back(edge[0]);
+                          sets.join(edge[0].low, edge[0].high);
+                      });
 
     std::vector<BorderLoop> loops;
     std::vector<Vec3> origins; // a point of each loop: near the surface, digits aren't lost

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/mesh/topology.hpp>
 
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include <wm3d/mesh/measure.hpp>
+#include <wm3d/mesh/sides.hpp>
 
 using namespace wm3d;
 
@@ -139,4 +143,22 @@ TEST_CASE("a crack is a border that opens nothing, and every part has borders of
         openings += loop.opening.norm();
     CHECK(openings ==
           doctest::Approx(surface_area(slit))); // the outline alone, though the slit is a border too
+}
+
+TEST_CASE("sides of ranges of lower ends are those of all, one after the other") {
+    const TriangleMesh mesh = strip(1, 0.5, 1);
+    const auto told = [](const std::vector<Side>& sides) {
+        std::vector<std::array<Index, 4>> list;
+        for (const Side& s : sides)
+            list.push_back({s.low, s.high, s.forward ? 1u : 0u, s.triangle});
+        return list;
+    };
+    std::vector<Side> parts;
+    for (const auto& [begin, end] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 17}, {17, 48}}) {
+        const std::vector<Side> part = sorted_sides(mesh, begin, end);
+        parts.insert(parts.end(), part.begin(), part.end());
+    }
+    REQUIRE(mesh.positions.size() == 48);
+    CHECK(told(parts) == told(sorted_sides(mesh)));
+    CHECK(parts.size() == 3 * mesh.triangles.size());
 }

@@ -92,7 +92,11 @@ std::vector<Index> order_vertices(const TriangleMesh& mesh, Canonical& out) {
     keys.reserve(mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         if (number[v] != no_index)
-            keys.push_back({morton_code((mesh.positions[v] - centre) / out.scale), static_cast<Index>(v)});
+            keys.push_back({0, static_cast<Index>(v)});
+    parallel_blocks(keys.size(), canonical_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            keys[i].code = morton_code((mesh.positions[keys[i].vertex] - centre) / out.scale);
+    });
     radix_sort(keys);
     order_cells(keys, mesh.positions);
 
@@ -136,12 +140,12 @@ void order_triangles(const TriangleMesh& mesh, const std::vector<Index>& number,
             const Triangle r = renumbered(t);
             sorted[start[r[0]]++] = r;
         }
-    for (auto begin = sorted.begin(); begin != sorted.end();) {
-        const auto end =
-            std::find_if(begin, sorted.end(), [&](const Triangle& t) { return t[0] != (*begin)[0]; });
-        std::sort(begin, end, [](const Triangle& a, const Triangle& b) { return rank(a) < rank(b); });
-        begin = end;
-    }
+    // By now `start` tells where the triangles of each first corner end.
+    parallel_blocks(out.positions.size(), canonical_block, [&](std::size_t first, std::size_t last) {
+        for (std::size_t v = first; v < last; ++v)
+            std::sort(sorted.begin() + (v == 0 ? 0 : start[v - 1]), sorted.begin() + start[v],
+                      [](const Triangle& a, const Triangle& b) { return rank(a) < rank(b); });
+    });
     sorted.erase(std::unique(sorted.begin(), sorted.end(), same_corners), sorted.end());
 }
 

@@ -265,9 +265,12 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
                 fmt::format("{}; {}", too_visible.what(), remedy(model, key, options, result, progress));
         return result;
     }
-    constexpr std::size_t dense = 200'000;
-    if (result.marked.positions.size() > dense)
-        return_freed_memory(); // what the mark took, before the file comes back
+    const auto make_room = [&] {
+        constexpr std::size_t dense = 200'000;
+        if (result.marked.positions.size() > dense)
+            return_freed_memory();
+    };
+    make_room(); // what the mark took, before the file comes back
     result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
     model.let_bytes_go();
     TriangleMesh written = model.reread(result.files);
@@ -276,6 +279,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         result.files = model.patched_files(result.marked.positions, options.output_name, options.normals);
         written = model.reread(result.files);
     }
+    make_room();
     const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
     const Suspect suspect = prepare_suspect(written, check.vertices, progress);
     const Marked& marked = result.marked;

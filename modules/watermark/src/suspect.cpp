@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_base_vertices = 60'000;
 
 /// Triangles up to which two looks at a mesh at once are no matter of memory.
-constexpr std::size_t small_beside_memory = 1'000'000;
+constexpr std::size_t small_beside_memory = 4'000'000;
 
 /// Mean radius about the centroid of the outline, which most often one of the axes has found.
 double outline_radius(const TriangleMesh& mesh, const WholeSurface& whole) {

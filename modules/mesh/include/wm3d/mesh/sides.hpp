@@ -20,6 +20,11 @@ struct Side {
 /// The sides of all triangles in ascending order, so those of one edge together. In parallel.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh);
 
+/// Those of them whose lower ends are from `begin_low` up to `end_low`, which is left out: of all of a dense mesh at once
+/// they take as much memory as the mesh does twice.
+/// \pre  begin_low <= end_low <= #V
+std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::size_t begin_low, std::size_t end_low);
+
 /// Calls visit(sides) for every edge with the sides that lie on it, in their order.
 /// \param sides  of `sorted_sides`
 template<typename Visitor>
