@@ -296,7 +296,7 @@ Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
         unit = percent_of_diagonal(made.carriers.rms(smooth));
         smooth = made.carriers.smooth(std::move(smooth));
     });
-    const std::vector<double> moves = with.carriers.masked(std::move(smooth));
+    std::vector<double> moves = with.carriers.masked(std::move(smooth));
     const double rms = percent_of_diagonal(with.carriers.rms(moves));
     require_move(rms);
     return {[this, &with, moves = std::move(moves), rms](double strength) {
