@@ -37,6 +37,10 @@ constexpr double many_triangles = 131072;
 /// Windows from which on wide patches take less work than narrow ones.
 constexpr std::size_t many_windows = 2000;
 
+/// Where so few vertices stand for all, balls are many edges wide: the reference's curvature at the corners of a triangle
+/// is that at the vertex which is matched with it.
+constexpr std::size_t fine_stride = 8;
+
 /// What a patch has around its windows, in their radii, besides curvatures' balls and edges across the rim: triangles
 /// that moved vertices lie closest to.
 constexpr double room = 1.1;
@@ -159,7 +163,8 @@ struct Msdm2Patches::Prepared {
     std::vector<PerScale> curvatures(const SurfacePatch& patch, const Box& box, const EdgeGraph& graph,
                                      std::span<const char> wanted) const;
     std::vector<WindowSample> samples(const SurfacePatch& patch, const Box& box, const TriangleMesh& moved,
-                                      const EdgeGraph& graph, std::span<const char> wanted) const;
+                                      const EdgeGraph& graph, std::span<const char> wanted,
+                                      std::size_t stride) const;
     bool recall(Index vertex, PerScale& value) const;
     PerScale remember(Index vertex, const PerScale& value) const;
 };
@@ -233,7 +238,9 @@ PerScale Msdm2Patches::Prepared::remember(Index vertex, const PerScale& value) c
 
 std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& patch, const Box& box,
                                                           const TriangleMesh& moved, const EdgeGraph& graph,
-                                                          std::span<const char> wanted) const {
+                                                          std::span<const char> wanted,
+                                                          std::size_t stride) const {
+    const bool fine = stride >= fine_stride;
     std::vector<WindowSample> samples(wanted.size());
     std::vector<Index> matched(wanted.size(), no_index); // triangles of the reference
     std::vector<char> corners(wanted.size(), 0);
@@ -245,8 +252,11 @@ std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& pa
         if (found.triangle == no_index)
             continue;
         samples[v].match = evaluate(patch.mesh, found);
-        for (const Index corner : patch.mesh.triangles[found.triangle])
-            corners[corner] = 1;
+        if (fine)
+            corners[v] = 1;
+        else
+            for (const Index corner : patch.mesh.triangles[found.triangle])
+                corners[corner] = 1;
     }
     const std::vector<PerScale> of_reference = curvatures(patch, box, graph, corners);
     const std::vector<PerScale> of_moved =
@@ -254,7 +264,8 @@ std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& pa
     for (std::size_t v = 0; v < wanted.size(); ++v)
         if (matched[v] != no_index) {
             samples[v].c = times(side, of_moved[v]);
-            samples[v].c_hat = blend(patch.mesh, matched[v], of_reference, moved.positions[v]);
+            samples[v].c_hat =
+                fine ? of_reference[v] : blend(patch.mesh, matched[v], of_reference, moved.positions[v]);
         }
     return samples;
 }
@@ -283,7 +294,7 @@ std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& disto
         (overlap ? looked_at_nearly : looked_at)(moved, graph, centres, largest_radius(), thinning);
     for (const Index centre : centres)
         wanted[centre] = 1;
-    const std::vector<WindowSample> of_vertices = samples(patch, box, moved, graph, wanted);
+    const std::vector<WindowSample> of_vertices = samples(patch, box, moved, graph, wanted, stride);
     const PerScale radii = this->radii();
     Msdm2Windows windows(moved, graph, of_vertices, radii, options, thinning);
     std::vector<double> local(centres.size());

@@ -22,7 +22,7 @@ namespace wm3d::metrics {
 ///
 /// Where windows hold more than `window_vertices` vertices, about, one in `stride` stands for the others: those whose
 /// number is a multiple of it, each with its full curvature. The points where a window's rim is crossed then have the
-/// curvature of the edge's inner end.
+/// curvature of the edge's inner end; from a stride of 8 on, C^ is C of the reference's vertex.
 ///
 /// The same bytes at any number of threads. Calls may run at the same time.
 class Msdm2Patches {
