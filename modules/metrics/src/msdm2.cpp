@@ -25,6 +25,10 @@ constexpr std::size_t vertex_block = 1024;
 /// Windows of one parallel task, if not more: each task has marks for all vertices.
 constexpr std::size_t window_block = 256;
 
+/// Neighbouring windows that a task opens one after the other. Then it leaves as many to each of the others: where
+/// vertices lie close together, windows take a hundred times as long.
+constexpr std::size_t window_run = 32;
+
 /// Of windows at one in so many vertices, marking what they reach costs less than it saves.
 constexpr std::size_t far_apart = 64;
 
@@ -163,11 +167,12 @@ std::vector<double> Msdm2::Prepared::local(const TriangleMesh& distorted, const 
     const PerScale radii = times(side, options.scales);
     const std::vector<WindowSample> of_vertices = samples(distorted, around, side, of_reference, wanted);
     std::vector<double> local(vertices.size());
-    const std::size_t block = std::max(window_block, local.size() / 64);
-    parallel_blocks(local.size(), block, [&](std::size_t begin, std::size_t end) {
+    const std::size_t tasks = std::clamp<std::size_t>(local.size() / window_block, 1, 64);
+    parallel_blocks(tasks, 1, [&](std::size_t task, std::size_t) {
         Msdm2Windows windows(distorted, around, of_vertices, radii, options);
-        for (std::size_t i = begin; i < end; ++i)
-            local[i] = windows.local_distance(vertices[i]);
+        for (std::size_t begin = task * window_run; begin < local.size(); begin += tasks * window_run)
+            for (std::size_t i = begin; i < std::min(begin + window_run, local.size()); ++i)
+                local[i] = windows.local_distance(vertices[i]);
     });
     return local;
 }
