@@ -186,8 +186,9 @@ std::vector<char> Msdm2::Prepared::reached(const TriangleMesh& distorted, const 
         OutwardWalk walk(distorted, around);
         for (std::size_t i = begin; i < end; ++i) {
             mark(vertices[i]);
-            walk.from(
-                vertices[i], radius, [](Index, double) {}, [&](const OutwardStep& s) { mark(s.to); });
+            walk.from(vertices[i], radius);
+            for (const OutwardWalk::Step& s : walk.steps())
+                mark(s.to);
         }
     });
     return reached;

@@ -92,9 +92,9 @@ SurfacePoint match(const TriangleMesh& mesh, const EdgeGraph& graph, Index verte
 /// Cells as wide as the memory of a patch allows: neighbours overlap by the radius of a window.
 int wide_cells(const TriangleMesh& mesh) {
     constexpr double surface = 2.5; // of cells that a model runs through, over those of one side of its cube
+    const double patches = static_cast<double>(mesh.triangles.size()) / many_triangles;
     int bits = widest_cells;
-    while (bits<narrow_cells&& static_cast<double>(mesh.triangles.size())> many_triangles * surface *
-           std::ldexp(1, 2 * bits))
+    while (bits < narrow_cells && patches > surface * std::ldexp(1, 2 * bits))
         ++bits;
     return bits;
 }
@@ -117,11 +117,9 @@ std::vector<char> looked_at(const TriangleMesh& moved, const EdgeGraph& graph,
 std::vector<char> looked_at_nearly(const TriangleMesh& moved, const EdgeGraph& graph,
                                    const std::vector<Index>& centres, double radius,
                                    const Thinning& thinning) {
-    Box box{moved.positions[centres.front()], moved.positions[centres.front()]};
-    for (const Index centre : centres) {
-        box.min = box.min.cwiseMin(moved.positions[centre]);
-        box.max = box.max.cwiseMax(moved.positions[centre]);
-    }
+    std::vector<Vec3> places(centres.size());
+    std::ranges::transform(centres, places.begin(), [&](Index centre) { return moved.positions[centre]; });
+    const Box box = bounding_box(places);
     const Eigen::Array3d least = box.min.array() - radius, most = box.max.array() + radius;
     std::vector<char> wanted(moved.positions.size());
     for (Index v = 0; v < wanted.size(); ++v) {

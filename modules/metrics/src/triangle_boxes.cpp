@@ -196,10 +196,8 @@ void TriangleBoxes::clear(std::span<const Index> vertices, double most,
                           std::vector<double>& clearances) const {
     constexpr std::size_t most_around = 160; // where triangles are long, each vertex has its own way
     Box box{mesh_.positions[vertices[0]], mesh_.positions[vertices[0]]};
-    for (const Index v : vertices) {
-        box.min = box.min.cwiseMin(mesh_.positions[v]);
-        box.max = box.max.cwiseMax(mesh_.positions[v]);
-    }
+    for (const Index v : vertices)
+        box.include({mesh_.positions[v], mesh_.positions[v]});
     box.min.array() -= most;
     box.max.array() += most;
     const std::vector<Index> found = meeting(box, most_around);

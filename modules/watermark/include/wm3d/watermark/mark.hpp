@@ -131,8 +131,8 @@ private:
                   const std::optional<masking::WeightyWindows>& weighty) const;
     std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
 
-    Reordered sorted_;         ///< a large mesh; else empty
-    const TriangleMesh& mesh_; ///< that is worked on: the one given or, if it is large, `sorted_`
+    Reordered sorted_;         ///< a mesh that is worth it; else empty
+    const TriangleMesh& mesh_; ///< that is worked on: the one given or, if it is sorted, `sorted_`
     std::size_t vertices_;
     Progress progress_;
     ShapeMoments moments_;
