@@ -21,7 +21,8 @@ namespace wm3d::io {
 
 namespace {
 
-constexpr std::size_t worth_letting_go = 1 << 20;
+/// Fewer bytes are nothing beside what a mark takes, and reading them again takes time.
+constexpr std::size_t worth_letting_go = 1 << 22;
 
 std::uint64_t digest(std::string_view bytes) {
     Fnv fnv;

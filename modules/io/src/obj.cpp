@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Wavefront OBJ. tinyobjloader reads the statements; a scan of the `v` lines finds where the coordinates
-// stand and reads them exactly (tinyobjloader's own decimals may be off by a few ulp, which would open seams
-// between equal positions that are spelt differently).
+// Wavefront OBJ. A scan of the `v` lines finds where the coordinates stand and reads them exactly (tinyobjloader's own
+// decimals may be off by a few ulp, which would open seams between equal positions that are spelt differently).
+// tinyobjloader reads the other statements, but where there are only faces of plain numbers: these the scan reads itself,
+// in a tenth of the time.
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <istream>
@@ -39,12 +41,21 @@ struct Piece {
     std::size_t begin = 0, end = 0;
     std::vector<Vec3> positions;
     TextStore store;
-    bool only_vertices = true; ///< no line but `v` and blank ones
+    bool plain = true; ///< no line but `v`, faces of plain numbers, and those that say nothing of the shape
     Polygons faces;
     std::vector<Triangle> triangles;
     Index largest = 0; ///< vertex number of a face
     std::size_t largest_at = 0;
     std::exception_ptr error;
+
+    /// Adds a corner, which stands in the line that holds `place`.
+    void add_corner(Index v, std::size_t place) {
+        if (v > largest) {
+            largest = v;
+            largest_at = place;
+        }
+        faces.corners.push_back(v);
+    }
 };
 
 /// Faces of a piece as tinyobjloader reports them, line by line.
@@ -92,14 +103,8 @@ private:
     void add_face(const tinyobj::index_t* indices, int count) {
         if (count < 3)
             fail(fmt::format("a face has {} corners, but needs 3 or more", count));
-        for (int i = 0; i < count; ++i) {
-            const Index v = resolve(indices[i].vertex_index);
-            if (v > piece_.largest) {
-                piece_.largest = v;
-                piece_.largest_at = place();
-            }
-            piece_.faces.corners.push_back(v);
-        }
+        for (int i = 0; i < count; ++i)
+            piece_.add_corner(resolve(indices[i].vertex_index), place());
         piece_.faces.close_face();
     }
 
@@ -109,30 +114,95 @@ private:
     std::size_t vertices_; // so far: negative numbers count back from here
 };
 
-/// Positions and places of the coordinates of the piece's `v` lines.
-void scan_vertices(const Source& source, Piece& piece) {
-    const std::string_view bytes = source.bytes;
+/// The statement's name with a blank behind it, or nothing.
+std::string_view keyword(std::string_view bytes, std::size_t at) {
+    constexpr std::size_t longest = 2;
+    std::size_t end = at;
+    while (end < std::min(at + longest, bytes.size()) && !is_blank(bytes[end]) && !is_line_end(bytes[end]))
+        ++end;
+    return end < bytes.size() && is_blank(bytes[end]) ? bytes.substr(at, end - at) : std::string_view{};
+}
+
+/// The position of a `v` line, whose coordinates the scanner stands before.
+void scan_vertex(TextScanner& scan, std::size_t line, Piece& piece) {
+    std::array<std::size_t, 3> offsets{};
+    Vec3 position;
+    for (std::size_t k = 0; k < 3; ++k) {
+        scan.skip_blanks();
+        if (scan.at_line_end())
+            scan.source().fail_in_line(line, "a vertex has fewer than 3 coordinates");
+        position[static_cast<int>(k)] = scan.number("a vertex coordinate", offsets[k]);
+    }
+    piece.positions.push_back(position);
+    piece.store.add(offsets);
+}
+
+/// Reads digits.
+/// \return  their number, or 0 where there are none or too many
+int scan_digits(const char*& at, const char* end) {
+    constexpr int most = 9;
+    int value = 0;
+    const char* const begin = at;
+    for (; at < end && *at >= '0' && *at <= '9'; ++at)
+        if (at - begin < most)
+            value = 10 * value + (*at - '0');
+    return at - begin <= most ? value : 0;
+}
+
+/// Adds the face of an `f` line, which the scanner stands in, if its corners are numbers counted from 1, which others may
+/// follow after slashes.
+/// \return  whether they are; if not, nothing that was added is of use
+bool scan_plain_face(TextScanner& scan, Piece& piece) {
+    const std::string_view bytes = scan.source().bytes;
+    const std::size_t line = scan.offset();
+    const char *at = bytes.data() + line, *const end = bytes.data() + bytes.size();
+    int count = 0;
+    for (;; ++count) {
+        while (at < end && is_blank(*at))
+            ++at;
+        if (at == end || is_line_end(*at))
+            break;
+        const int number = scan_digits(at, end);
+        if (number == 0)
+            return false;
+        piece.add_corner(static_cast<Index>(number) - 1, line);
+        for (int slash = 0; slash < 2 && at < end && *at == '/'; ++slash)
+            scan_digits(++at, end);
+        if (at < end && !is_blank(*at) && !is_line_end(*at))
+            return false;
+    }
+    if (count < 3)
+        return false;
+    piece.faces.close_face();
+    scan.jump(static_cast<std::size_t>(at - bytes.data()));
+    return true;
+}
+
+/// What the piece's lines hold as far as they are plain; positions and places of coordinates of all of them.
+void scan_piece(const Source& source, Piece& piece) {
     TextScanner scan(source, piece.begin);
     while (scan.offset() < piece.end) {
         scan.skip_blanks();
-        const std::size_t at = scan.offset();
-        if (at + 1 < bytes.size() && bytes[at] == 'v' && (bytes[at + 1] == ' ' || bytes[at + 1] == '\t')) {
-            scan.jump(at + 2);
-            std::array<std::size_t, 3> offsets{};
-            Vec3 position;
-            for (std::size_t k = 0; k < 3; ++k) {
-                scan.skip_blanks();
-                if (scan.at_line_end())
-                    source.fail_in_line(at, "a vertex has fewer than 3 coordinates");
-                position[static_cast<int>(k)] = scan.number("a vertex coordinate", offsets[k]);
-            }
-            piece.positions.push_back(position);
-            piece.store.add(offsets);
-        } else {
-            piece.only_vertices &= scan.at_line_end();
-        }
+        const std::size_t line = scan.offset();
+        const std::string_view statement = keyword(source.bytes, line);
+        scan.jump(line + statement.size());
+        if (statement == "v")
+            scan_vertex(scan, line, piece);
+        else if (statement == "f")
+            piece.plain = piece.plain && scan_plain_face(scan, piece);
+        else if (statement != "vn" && statement != "vt")
+            piece.plain &= scan.at_line_end() || source.bytes[line] == '#';
         scan.skip_line();
     }
+}
+
+/// What tinyobjloader makes of a piece's faces.
+void read_piece(const Source& source, Piece& piece, std::size_t vertices_before) {
+    piece.faces = {};
+    piece.largest = 0;
+    piece.largest_at = 0;
+    if (FaceReader(source, piece, vertices_before).run() != vertices_before + piece.positions.size())
+        source.fail("its lines can't be told apart; the file may mix line ends or hold control characters");
 }
 
 /// Cuts the file after line ends; the store of each piece is one of the original bytes.
@@ -164,14 +234,13 @@ void for_each_piece(std::vector<Piece>& pieces, F&& read) {
 
 Document read_statements(const Source& source, std::string_view original) {
     std::vector<Piece> pieces = cut(source, original);
-    for_each_piece(pieces, [&](std::size_t p) { scan_vertices(source, pieces[p]); });
+    for_each_piece(pieces, [&](std::size_t p) { scan_piece(source, pieces[p]); });
     std::vector<std::size_t> before(pieces.size() + 1, 0);
     for (std::size_t p = 0; p < pieces.size(); ++p)
         before[p + 1] = before[p] + pieces[p].positions.size();
     for_each_piece(pieces, [&](std::size_t p) {
-        if (!pieces[p].only_vertices && FaceReader(source, pieces[p], before[p]).run() != before[p + 1])
-            source.fail(
-                "its lines can't be told apart; the file may mix line ends or hold control characters");
+        if (!pieces[p].plain)
+            read_piece(source, pieces[p], before[p]);
     });
 
     Document document;

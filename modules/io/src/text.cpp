@@ -21,12 +21,6 @@ constexpr std::size_t text_size = 400;
 bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
-bool is_blank(char c) {
-    return c == ' ' || c == '\t';
-}
-bool is_line_end(char c) {
-    return c == '\n' || c == '\r';
-}
 bool is_space(char c) {
     return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f';
 }

@@ -12,6 +12,13 @@
 
 namespace wm3d::io {
 
+inline bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+inline bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+
 /// Reads one decimal number at `begin`, rounded correctly; a leading + is allowed, nan and inf are read as
 /// such.
 /// \return the end of the number, or nullptr if there is none or it is out of double's range

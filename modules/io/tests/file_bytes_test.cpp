@@ -54,7 +54,7 @@ std::size_t resident(std::string_view bytes) {
 } // namespace
 
 TEST_CASE("bytes go and come back to the same place") {
-    const std::string text = text_of(3'000'001);
+    const std::string text = text_of(6'000'001);
     const Passing file(text);
     FileBytes bytes(text);
     bytes.came_from(file.path);
@@ -70,7 +70,7 @@ TEST_CASE("bytes go and come back to the same place") {
 }
 
 TEST_CASE("bytes of a file that was changed, cut, lengthened or removed don't come back") {
-    const std::string text = text_of(2'000'000);
+    const std::string text = text_of(5'000'000);
     const Passing file(text);
     FileBytes bytes(text);
     bytes.came_from(file.path);
@@ -88,7 +88,7 @@ TEST_CASE("bytes of a file that was changed, cut, lengthened or removed don't co
 }
 
 TEST_CASE("bytes stay where they can't be read again") {
-    const std::string text = text_of(2'000'000);
+    const std::string text = text_of(5'000'000);
     FileBytes from_nowhere(text), from_a_device(text);
     from_a_device.came_from("/dev/null");
     for (FileBytes* bytes : {&from_nowhere, &from_a_device}) {
@@ -100,7 +100,7 @@ TEST_CASE("bytes stay where they can't be read again") {
 }
 
 TEST_CASE("a model is patched as ever after its bytes went, and not at all if the file changed") {
-    const TriangleMesh mesh = shapes::blob(40'000, 1);
+    const TriangleMesh mesh = shapes::blob(120'000, 1);
     const Passing file(encode(mesh, Format::ply));
     const Model model = read(file.path, {.format = Format::ply});
     std::vector<Vec3> moved = model.mesh().positions;

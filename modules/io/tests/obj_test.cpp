@@ -81,6 +81,36 @@ TEST_CASE("OBJ: a file of many pieces reads as one") {
     CHECK(parse_as(Format::obj, bytes).mesh().triangles == mesh.triangles);
 }
 
+TEST_CASE("OBJ: faces of plain numbers are read as those among other statements") {
+    const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+    const std::vector<Triangle> two{{0, 1, 2}, {1, 3, 2}};
+    for (const std::string faces :
+         {"f 1 2 3\nf 2 4 3\n", "f 1/1/1 2//7 3/\n\nf\t2/4 4/4\t3/4 ", "f 1// 2 3 \r\nf 2 4 3\r",
+          "# f 1 2 4\nvt 0 1\n f 01 2 3\nvn 0 0 1\nf 2 4 3"})
+        for (const std::string other : {"", "g group\n", "f -4 -3 -2\n"}) {
+            CAPTURE(faces);
+            CAPTURE(other);
+            std::vector<Triangle> expected = two;
+            if (other.starts_with('f'))
+                expected.insert(expected.begin(), {0, 1, 2});
+            CHECK(parse_as(Format::obj, v + other + faces).mesh().triangles == expected);
+        }
+    CHECK(parse_as(Format::obj, v + "f 1 2 3 4\n").mesh().triangles.size() == 2);
+    for (const std::string odd :
+         {"f 1 2 3#\n", "f 1/1/1/1 2 3\n", "f 1 2 4294967297\n", "f 1 2\n", "f 1 2 0\n", "f \n"}) {
+        CAPTURE(odd);
+        const auto outcome = [&](const std::string& before) -> std::string {
+            try {
+                const Model model = parse_as(Format::obj, v + before + "f 2 4 3\n" + odd);
+                return std::to_string(model.mesh().triangles.size());
+            } catch (const InputError& error) {
+                return error.what();
+            }
+        };
+        CHECK(outcome("#\n") == outcome("g\n"));
+    }
+}
+
 TEST_CASE("OBJ: errors name the line") {
     const std::string v = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     CHECK(mentions(input_error(Format::obj, v + "f 1 2 4\n"), "line 4"));
