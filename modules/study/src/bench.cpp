@@ -21,7 +21,7 @@
 #include <wm3d/watermark/alignment.hpp>
 #include <wm3d/watermark/closer_look.hpp>
 #include <wm3d/watermark/content_statistic.hpp>
-#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/marker.hpp>
 #include <wm3d/watermark/search_suspect.hpp>
 
 namespace wm3d::study {

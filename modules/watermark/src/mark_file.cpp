@@ -14,6 +14,7 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/weld.hpp>
 #include <wm3d/payload/recipients.hpp>
+#include <wm3d/watermark/marker.hpp>
 #include <wm3d/watermark/receipt.hpp>
 
 namespace wm3d::watermark {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/version.hpp>
+#include <wm3d/watermark/suspect.hpp>
 
 namespace wm3d::watermark {
 

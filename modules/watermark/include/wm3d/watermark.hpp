@@ -10,6 +10,7 @@
 #include <wm3d/watermark/identify.hpp>
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/mark_file.hpp>
+#include <wm3d/watermark/marker.hpp>
 #include <wm3d/watermark/null_keys.hpp>
 #include <wm3d/watermark/pieces.hpp>
 #include <wm3d/watermark/receipt.hpp>

@@ -12,7 +12,7 @@
 
 #include <wm3d/study/roc.hpp>
 #include <wm3d/watermark/examination.hpp>
-#include <wm3d/watermark/mark.hpp>
+#include <wm3d/watermark/marker.hpp>
 
 namespace wm3d::study {
 

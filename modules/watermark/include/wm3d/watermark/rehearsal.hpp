@@ -7,6 +7,7 @@
 
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/sequences.hpp>
+#include <wm3d/watermark/suspect.hpp>
 
 namespace wm3d::watermark {
 
