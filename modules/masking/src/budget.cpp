@@ -163,7 +163,6 @@ Fit Budget::fit_all(const MarkOfStrength& mark, double budget, double guess) con
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
 /// where that is far, or where few windows decide, so that what they became has to be seen.
 Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
-    constexpr double near = 0.35; // in the logarithm of the strength
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const metrics::Msdm2Sample all = look_closely(mark(fit.strength));
         Fit full{fit.strength, all.mean, fit.evaluations + 1};
@@ -182,7 +181,7 @@ Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double 
         const double change = std::abs(std::log(fit.strength / full.strength));
         if (full.by_few && full.msdm2 <= budget && change <= same_strength)
             return full;
-        const bool near_enough = !fit.by_few && change <= near;
+        const bool near_enough = !fit.by_few && change <= near_strength;
         if (near_enough || !(fit.strength > 0))
             break;
     }

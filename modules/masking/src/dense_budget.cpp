@@ -23,7 +23,6 @@ double Budget::visible_dense(const std::vector<Vec3>& positions) const {
 
 /// The windows are chosen anew where the strength turns out to be far from that of the glance.
 Fit Budget::fit_dense(const MarkOfStrength& mark, double budget, double guess) const {
-    constexpr double near = 0.35; // in the logarithm of the strength
     Fit fit{guess};
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const double glanced_at = fit.strength;
@@ -43,7 +42,7 @@ Fit Budget::fit_dense(const MarkOfStrength& mark, double budget, double guess) c
         };
         const double aim = rescaled(glanced_at, glance.mean, options_.aim * budget);
         fit = approach(seen, {aim, 0, fit.evaluations + 1}, budget, options_.tolerance);
-        if (!(fit.strength > 0) || std::abs(std::log(fit.strength / glanced_at)) <= near)
+        if (!(fit.strength > 0) || std::abs(std::log(fit.strength / glanced_at)) <= near_strength)
             break;
     }
     return fit;

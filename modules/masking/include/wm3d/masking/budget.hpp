@@ -99,6 +99,8 @@ private:
     using SeenOfStrength = std::function<double(double strength)>; ///< MSDM2
 
     static constexpr double nothing = 1e-9; ///< less is the rounding of MSDM2's own arithmetic
+    /// In the logarithm of the strength: windows that were chosen at a strength serve all that are nearer.
+    static constexpr double near_strength = 0.35;
 
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
     metrics::Msdm2Sample glance(const std::vector<Vec3>& positions, std::size_t windows) const;
