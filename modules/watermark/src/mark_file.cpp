@@ -156,7 +156,7 @@ std::string remedy(const io::Model& model, const key::Key& key, const MarkModelO
                    const MarkedModel& result, const Progress& progress) {
     constexpr double hopeful = -2; // a P_f above 1 % is no verdict
     std::vector<std::string> would_do;
-    const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
+    const VerifyOptions check = self_check_options(options.mark, result.marked.ambiguity);
     if (const auto larger = size_that_would_do(model, key, options, check, progress))
         would_do.push_back(size_option(*larger));
     const double log10_p = result.check.score.log10_p;
@@ -257,9 +257,8 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
     try {
         const auto stored = [&](std::span<const Vec3> wanted) { return model.stored_positions(wanted); };
         result.marked = mark(model.mesh(), key, options.mark, progress, stored);
-        result.ambiguity = result.marked.ambiguity;
     } catch (const TooVisible& too_visible) {
-        result.ambiguity = resync::ambiguity_of(shape_moments(model.mesh()).own());
+        result.marked.ambiguity = resync::ambiguity_of(shape_moments(model.mesh()).own());
         result.loss = Loss::visibility;
         if (!lies_too_far(model, result))
             result.remedy =
@@ -281,7 +280,7 @@ MarkedModel mark_once(const io::Model& model, const key::Key& key, const MarkMod
         written = model.reread(result.files);
     }
     make_room();
-    const VerifyOptions check = self_check_options(options.mark, result.ambiguity);
+    const VerifyOptions check = self_check_options(options.mark, result.marked.ambiguity);
     const Suspect suspect = prepare_suspect(written, check.vertices, progress);
     const Marked& marked = result.marked;
     std::vector<Rehearsed> rehearsed;
@@ -363,7 +362,7 @@ MarkedFile mark_file(const std::filesystem::path& in, const std::filesystem::pat
     const io::Model model = io::read(in, {.format = format});
 
     MarkedModel result = mark_model(model, key, {options.mark, options.normals, out.string()}, progress);
-    MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.rehearsed, result.ambiguity};
+    MarkedFile report{result.loss == Loss::none, {}, {}, result.check, result.rehearsed};
     if (report.written) {
         io::FileSet files(writing);
         io::add_files(files, out, result.files);

@@ -106,7 +106,7 @@ TEST_CASE("a weak mark on an open model is given up without a search for minutes
     const io::Model gear =
         io::parse(io::encode(shapes::gear(24, 8000), io::Format::obj), io::Format::obj, "gear.obj");
     const MarkedModel found = mark_model(gear, key_of_tests, options);
-    CHECK(found.ambiguity != resync::Ambiguity::none);
+    CHECK(found.marked.ambiguity != resync::Ambiguity::none);
     CHECK(found.loss == Loss::none);
 }
 

@@ -42,7 +42,8 @@ struct MarkOptions {
 struct Marked {
     std::vector<Vec3> positions; ///< #V, in the coordinates of the mesh
     Frame frame;
-    resync::Ambiguity ambiguity = resync::Ambiguity::none; ///< of the frame
+    resync::Ambiguity ambiguity =
+        resync::Ambiguity::none;   ///< of the shape, so of the frame: a rotated copy may need a receipt
     std::size_t base_vertices = 0; ///< that carry the mark: of the base domain, or all of them
     Profile profile = Profile::masked;
     unsigned level = 0;

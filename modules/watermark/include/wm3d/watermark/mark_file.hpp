@@ -11,7 +11,6 @@
 
 #include <wm3d/io/file.hpp>
 #include <wm3d/io/model.hpp>
-#include <wm3d/resync/hierarchical_frame.hpp>
 #include <wm3d/resync/receipt.hpp>
 #include <wm3d/watermark/mark.hpp>
 #include <wm3d/watermark/rehearsal.hpp>
@@ -37,15 +36,13 @@ struct MarkModelOptions {
 
 /// A marked model as it would be written, and what verify says of it.
 struct MarkedModel {
-    Marked marked;
+    Marked marked; ///< of which the ambiguity alone is known where every mark is seen too much
     io::PatchedFiles files;
     VerifyReport check;
     std::vector<Rehearsed> rehearsed; ///< what it will bear; empty where it isn't found
     Loss loss = Loss::none;
     std::string remedy{}; ///< for a loss: what was tried and would do, such as "--visibility 0.2 would do"
-    resync::Ambiguity ambiguity =
-        resync::Ambiguity::none; ///< of the shape: a rotated copy may need a receipt
-    double coordinate_step = 0;  ///< as io::Model's; a move well below it is lost
+    double coordinate_step = 0; ///< as io::Model's; a move well below it is lost
 };
 
 /// Marks a model, patches its bytes, reads these again and verifies them. Nothing is written. A copy of its own whose
@@ -81,8 +78,7 @@ struct MarkedFile {
     std::string reason{}; ///< why nothing was written, in a sentence
     Marked marked;
     VerifyReport check;
-    std::vector<Rehearsed> rehearsed{};                    ///< as MarkedModel's
-    resync::Ambiguity ambiguity = resync::Ambiguity::none; ///< as MarkedModel's
+    std::vector<Rehearsed> rehearsed{}; ///< as MarkedModel's
 };
 
 /// Marks the mesh file `in` and writes it as `out`, in the same format, as a whole or not at all.
