@@ -13,6 +13,7 @@ using wm3d::ErrorCode;
 using wm3d::Fnv;
 using wm3d::folder_of;
 using wm3d::from_base64;
+using wm3d::from_hex;
 using wm3d::GeometryError;
 using wm3d::InputError;
 using wm3d::is_printable;

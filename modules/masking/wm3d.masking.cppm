@@ -34,6 +34,7 @@ using wm3d::folder_of;
 using wm3d::for_each_edge;
 using wm3d::Frame;
 using wm3d::from_base64;
+using wm3d::from_hex;
 using wm3d::GeometryError;
 using wm3d::Index;
 using wm3d::InputError;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/core/hex.hpp>
 
+#include <charconv>
+
 namespace wm3d {
 
 namespace {
@@ -21,6 +23,20 @@ std::string to_hex(std::span<const std::uint8_t> bytes) {
         text += digit(byte & 15);
     }
     return text;
+}
+
+std::optional<std::string> from_hex(std::string_view digits) {
+    if (digits.size() % 2 != 0)
+        return std::nullopt;
+    std::string bytes;
+    bytes.reserve(digits.size() / 2);
+    for (const char* at = digits.data(); bytes.size() < digits.size() / 2; at += 2) {
+        unsigned char byte = 0; // without a sign, which from_chars would take
+        if (std::from_chars(at, at + 2, byte, 16).ptr != at + 2)
+            return std::nullopt;
+        bytes += static_cast<char>(byte);
+    }
+    return bytes;
 }
 
 } // namespace wm3d

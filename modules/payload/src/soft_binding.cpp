@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/payload/soft_binding.hpp>
 
+#include <fmt/format.h>
+
 #include <wm3d/core/base64.hpp>
+#include <wm3d/core/error.hpp>
+#include <wm3d/core/hex.hpp>
 
 namespace wm3d::payload {
 
@@ -10,11 +14,10 @@ namespace {
 std::string bytes_of(const Message& message) {
     if (message.kind == Message::Kind::text)
         return message.value;
-    const std::string digits = (message.value.size() % 2 ? "0" : "") + message.value;
-    std::string bytes;
-    for (std::size_t i = 0; i < digits.size(); i += 2)
-        bytes += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-    return bytes;
+    const std::optional<std::string> bytes = from_hex((message.value.size() % 2 ? "0" : "") + message.value);
+    if (!bytes)
+        throw ParameterError(fmt::format("the payload '{}' is no hexadecimal digits", message.value));
+    return *bytes;
 }
 
 } // namespace

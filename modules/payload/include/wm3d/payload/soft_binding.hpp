@@ -14,6 +14,7 @@ inline constexpr std::string_view soft_binding_alg = "io.github.wm3d.payload.1";
 
 /// The message's bytes in Base64 (RFC 4648, padded): those of a text, or two digits a byte, an odd number of
 /// digits with a zero before them.
+/// \throw ParameterError  if a message of digits holds anything else, as none does that was parsed or read
 std::string soft_binding_value(const Message& message);
 
 } // namespace wm3d::payload
