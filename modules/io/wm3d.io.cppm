@@ -56,6 +56,7 @@ using wm3d::TriangleMesh;
 using wm3d::Umbrella;
 using wm3d::Vec3;
 using wm3d::vertex_areas;
+using wm3d::vertex_mean;
 using wm3d::vertex_normals;
 using wm3d::weld;
 using wm3d::Welded;

@@ -116,6 +116,7 @@ using wm3d::VerifyOptions;
 using wm3d::VerifyReport;
 using wm3d::version;
 using wm3d::vertex_areas;
+using wm3d::vertex_mean;
 using wm3d::vertex_normals;
 using wm3d::weld;
 using wm3d::Welded;

@@ -8,9 +8,8 @@
 #include <wm3d/attack/random.hpp>
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/centre.hpp>
 #include <wm3d/mesh/measure.hpp>
-
-#include "centre.hpp"
 
 namespace wm3d::attack {
 

@@ -5,10 +5,9 @@
 
 #include <wm3d/attack/random.hpp>
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/centre.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/neighbours.hpp>
-
-#include "centre.hpp"
 
 namespace wm3d::attack {
 

@@ -7,6 +7,7 @@
 
 #include <wm3d/core/error.hpp>
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/mesh/centre.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/topology.hpp>
 
@@ -15,18 +16,6 @@ namespace wm3d::metrics {
 namespace {
 
 constexpr std::size_t sum_block = 16384;
-
-Vec3 mean(const std::vector<Vec3>& points) {
-    const Vec3 zero = Vec3::Zero();
-    const Vec3 sum =
-        parallel_sum(points.size(), sum_block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
-            Vec3 part = Vec3::Zero();
-            for (std::size_t v = begin; v < end; ++v)
-                part += points[v];
-            return part;
-        });
-    return sum / static_cast<double>(points.size());
-}
 
 /// Sum of term(v) over all vertices.
 template<typename Term>
@@ -42,7 +31,7 @@ double change_percent(double before, double after) {
 
 VertexFigures compare_vertices(const TriangleMesh& a, const TriangleMesh& b) {
     const std::size_t count = a.positions.size();
-    const Vec3 centre = mean(a.positions);
+    const Vec3 centre = vertex_mean(a);
     const double moved =
         sum_over(count, [&](std::size_t v) { return (b.positions[v] - a.positions[v]).squaredNorm(); });
     const double signal =

@@ -29,18 +29,19 @@ void Msdm2Windows::Sums::add(double weight, double weight_hat, double c, double 
     wc_under_w_hat += weight_hat * c;
 }
 
-void Msdm2Windows::add_vertex(const WindowSample& centre, Index vertex, double square) {
-    const WindowSample& q = samples_[vertex];
+void Msdm2Windows::add_vertex(const WindowSample& centre, const OutwardWalk::Reached& reached) {
+    const WindowSample& q = samples_[reached.vertex];
     const double square_hat = (q.match - centre.match).squaredNorm();
     for (std::size_t k = 0; k < radii_.size(); ++k)
-        if (square <= radii_[k] * radii_[k])
-            sums_[k].add(std::exp(-square * decay_[k]), std::exp(-square_hat * decay_[k]),
+        if (reached.is_within(radii_[k]))
+            sums_[k].add(std::exp(-reached.square * decay_[k]), std::exp(-square_hat * decay_[k]),
                          q.c[k] - centre.c[k], q.c_hat[k] - centre.c_hat[k]);
 }
 
-void Msdm2Windows::add_crossing(const WindowSample& centre, const OutwardStep& step, std::size_t k) {
-    const WindowSample& u = samples_[step.from];
-    const double share = step.share_within(radii_[k]);
+void Msdm2Windows::add_crossing(const WindowSample& centre, const OutwardWalk::Reached& start,
+                                const OutwardWalk::Step& step, std::size_t k) {
+    const WindowSample& u = samples_[start.vertex];
+    const double share = step.share_within(radii_[k], start);
     if (!thinning_.kept.empty()) { // nothing is known of the outer end
         const Vec3 match = u.match + share * step.along;
         sums_[k].add(weight_at_rim_[k], std::exp(-(match - centre.match).squaredNorm() * decay_[k]),
@@ -60,19 +61,18 @@ double Msdm2Windows::local_distance(Index vertex) {
     const double itself = 1 / static_cast<double>(thinning_.stride); // where others stand for several
     for (Sums& sums : sums_)
         sums.add(itself, itself, 0, 0);
-    walk_.from(
-        vertex, largest_,
-        [&](Index q, double square) {
-            if (thinning_.keeps(q))
-                add_vertex(centre, q, square);
-        },
-        [&](const OutwardStep& step) {
-            if (!thinning_.keeps(step.from))
-                return;
-            for (std::size_t k = 0; k < radii_.size(); ++k)
-                if (step.starts_within(radii_[k]) && !step.ends_within(radii_[k]))
-                    add_crossing(centre, step, k);
-        });
+    walk_.from(vertex, largest_);
+    for (const OutwardWalk::Reached& reached : walk_.reached().subspan(1))
+        if (thinning_.keeps(reached.vertex))
+            add_vertex(centre, reached);
+    for (const OutwardWalk::Step& step : walk_.steps()) {
+        const OutwardWalk::Reached& start = walk_.reached()[step.reached];
+        if (!thinning_.keeps(start.vertex))
+            continue;
+        for (std::size_t k = 0; k < radii_.size(); ++k)
+            if (start.is_within(radii_[k]) && !step.ends_within(radii_[k]))
+                add_crossing(centre, start, step, k);
+    }
     double sum = 0;
     for (std::size_t k = 0; k < radii_.size(); ++k)
         sum += distance_of(sums_[k], centre.c[k], centre.c_hat[k]);

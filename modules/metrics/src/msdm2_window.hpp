@@ -45,8 +45,9 @@ private:
         void add(double weight, double weight_hat, double c, double c_hat);
     };
 
-    void add_vertex(const WindowSample& centre, Index vertex, double square);
-    void add_crossing(const WindowSample& centre, const OutwardStep& step, std::size_t scale);
+    void add_vertex(const WindowSample& centre, const OutwardWalk::Reached& reached);
+    void add_crossing(const WindowSample& centre, const OutwardWalk::Reached& start,
+                      const OutwardWalk::Step& step, std::size_t scale);
     double distance_of(const Sums& sums, double c, double c_hat) const;
 
     const std::vector<WindowSample>& samples_;

@@ -14,28 +14,6 @@
 
 namespace wm3d::metrics {
 
-/// An edge from a vertex that the walk has reached to one that is farther from the centre.
-struct OutwardStep {
-    Index from = 0, to = 0, edge = 0;
-    Vec3 start;             ///< of `from`, seen from the centre
-    Vec3 along;             ///< from `from` to `to`
-    double from_square = 0; ///< squared distances from the centre
-    double to_square = 0;
-
-    bool starts_within(double radius) const { return from_square <= radius * radius; }
-    bool ends_within(double radius) const { return to_square <= radius * radius; }
-
-    /// Share of the edge that lies in the sphere of this radius.
-    /// \pre  starts_within(radius)
-    double share_within(double radius) const {
-        if (ends_within(radius))
-            return 1;
-        // |start + t along| = radius, the root ahead
-        const double a = along.squaredNorm(), b = start.dot(along), c = from_square - radius * radius;
-        return std::clamp((-b + std::sqrt(std::max(0.0, b * b - a * c))) / a, 0.0, 1.0);
-    }
-};
-
 /// Starts at a vertex v and follows the edges u -> w with u = v or (w - u).(u - v) > 0 as long as w stays in
 /// a sphere around v. Each step leads away from v: what is reached within a smaller sphere is the part of it
 /// that lies there, so one walk serves several radii, and no edge is walked from both ends.
@@ -47,14 +25,30 @@ public:
     struct Reached {
         Index vertex = 0;
         Vec3 place = Vec3::Zero(); ///< seen from the centre
-        double square = 0;
+        double square = 0;         ///< squared distance from the centre
+
+        bool is_within(double radius) const { return square <= radius * radius; }
     };
+    /// An edge from a vertex that the walk has reached to one that is farther from the centre.
     struct Step {
         Index reached = 0; ///< where it starts, by its place in `reached`
         Index to = 0, edge = 0;
         Vec3 along = Vec3::Zero();
-        double outward = 0; ///< start . along
-        double to_square = 0;
+        double outward = 0;   ///< start . along
+        double to_square = 0; ///< squared distance of its end from the centre
+
+        bool ends_within(double radius) const { return to_square <= radius * radius; }
+
+        /// Share of the edge that lies in the sphere of this radius.
+        /// \param start  where it starts
+        /// \pre  start.is_within(radius)
+        double share_within(double radius, const Reached& start) const {
+            if (ends_within(radius))
+                return 1;
+            // |start + t along| = radius, the root ahead
+            const double a = along.squaredNorm(), b = outward, c = start.square - radius * radius;
+            return std::clamp((-b + std::sqrt(std::max(0.0, b * b - a * c))) / a, 0.0, 1.0);
+        }
     };
 
     OutwardWalk(const TriangleMesh& mesh, const EdgeGraph& graph)
@@ -98,19 +92,6 @@ public:
 
     /// The edges that lead from them outwards.
     std::span<const Step> steps() const { return {steps_.data(), step_count_}; }
-
-    /// Walks anew, and calls reach(w, squared distance from v) for each vertex within `radius`, v itself left out, and
-    /// step(OutwardStep) for each edge that leads from such a vertex, or from v, outwards.
-    template<typename Reach, typename Visit>
-    void from(Index centre, double radius, Reach&& reach, Visit&& visit) {
-        from(centre, radius);
-        for (const Reached& r : reached().subspan(1))
-            reach(r.vertex, r.square);
-        for (const Step& s : steps()) {
-            const Reached& r = reached_[s.reached];
-            visit(OutwardStep{r.vertex, s.to, s.edge, r.place, s.along, r.square, s.to_square});
-        }
-    }
 
 private:
     /// For as many ways more, and what is written to be written over.

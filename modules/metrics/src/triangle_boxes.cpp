@@ -13,6 +13,7 @@ namespace wm3d::metrics {
 namespace {
 
 constexpr std::size_t leaf_size = 4; // at most
+constexpr std::size_t deepest = 64;  // the tree is balanced: never deeper than the bits of a count
 constexpr std::size_t worth_a_thread = 8192;
 
 /// The number of nodes of the least perfect tree whose leaves hold `count` triangles.
@@ -33,10 +34,6 @@ std::vector<Vec3> centroids(const TriangleMesh& mesh) {
     return centres;
 }
 
-std::size_t middle(std::size_t begin, std::size_t end) {
-    return begin + (end - begin + 1) / 2;
-}
-
 } // namespace
 
 void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) {
@@ -54,7 +51,7 @@ void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) 
 
 TriangleBoxes::TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles)
     : mesh_(mesh), triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
-    build(0, 0, triangles_.size(), centroids(mesh));
+    build(root(), centroids(mesh));
 }
 
 NumberedTriangle TriangleBoxes::numbered(Index triangle) const {
@@ -68,63 +65,64 @@ TriangleBoxes::Box TriangleBoxes::box_of(Index triangle) const {
 }
 
 /// Half of the triangles on either side of the median, in the direction in which their centroids lie widest.
-void TriangleBoxes::halve(std::size_t begin, std::size_t end, const std::vector<Vec3>& centres) {
+void TriangleBoxes::halve(const Branch& branch, const std::vector<Vec3>& centres) {
     const auto at = [&](std::size_t i) { return triangles_.begin() + static_cast<std::ptrdiff_t>(i); };
-    Box around{centres[triangles_[begin]], centres[triangles_[begin]]};
-    std::for_each(at(begin), at(end), [&](Index f) { around.include({centres[f], centres[f]}); });
+    const Vec3& first = centres[triangles_[branch.begin]];
+    Box around{first, first};
+    for (const Index f : triangles_of(branch))
+        around.include({centres[f], centres[f]});
     Eigen::Index axis = 0;
     (around.max - around.min).maxCoeff(&axis);
-    std::nth_element(at(begin), at(middle(begin, end)), at(end), [&](Index s, Index t) {
+    std::nth_element(at(branch.begin), at(branch.half()), at(branch.end), [&](Index s, Index t) {
         const double x = centres[s][axis], y = centres[t][axis];
         return x < y || (x == y && s < t);
     });
 }
 
-void TriangleBoxes::build(std::size_t node, std::size_t begin, std::size_t end,
-                          const std::vector<Vec3>& centres) {
-    Box& box = boxes_[node];
-    if (is_leaf(node)) {
-        box = box_of(triangles_[begin]);
-        for (std::size_t i = begin + 1; i < end; ++i)
-            box.include(box_of(triangles_[i]));
+void TriangleBoxes::build(const Branch& branch, const std::vector<Vec3>& centres) {
+    Box& box = boxes_[branch.node];
+    if (is_leaf(branch)) {
+        box = box_of(triangles_[branch.begin]);
+        for (const Index f : triangles_of(branch).subspan(1))
+            box.include(box_of(f));
         return;
     }
-    halve(begin, end, centres);
-    const std::size_t half = middle(begin, end);
-    const auto left = [&] { build(2 * node + 1, begin, half, centres); };
-    const auto right = [&] { build(2 * node + 2, half, end, centres); };
-    if (end - begin > worth_a_thread)
+    halve(branch, centres);
+    const auto left = [&] { build(branch.left(), centres); };
+    const auto right = [&] { build(branch.right(), centres); };
+    if (branch.end - branch.begin > worth_a_thread)
         parallel_invoke(left, right);
     else {
         left();
         right();
     }
-    box = boxes_[2 * node + 1];
-    box.include(boxes_[2 * node + 2]);
+    box = boxes_[branch.left().node];
+    box.include(boxes_[branch.right().node]);
 }
 
 template<typename Wanted>
 NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, Wanted&& wanted) const {
     struct Pending {
-        std::size_t node, begin, end;
-        double square; ///< of the distance to the node's box
+        Branch branch;
+        double square; ///< of the distance to its box
     };
-    std::array<Pending, 64> stack; // the tree is balanced: never deeper than the bits of a count
+    const auto pending = [&](const Branch& branch) {
+        return Pending{branch, boxes_[branch.node].squared_distance(query)};
+    };
+    std::array<Pending, deepest> stack;
     std::size_t size = 0;
-    stack[size++] = {0, 0, triangles_.size(), boxes_[0].squared_distance(query)};
+    stack[size++] = pending(root());
     while (size > 0) {
-        const Pending at = stack[--size];
-        if (!known.may_yield_to(at.square))
+        const auto [branch, square] = stack[--size];
+        if (!known.may_yield_to(square))
             continue;
-        if (is_leaf(at.node)) {
-            for (std::size_t i = at.begin; i < at.end; ++i)
-                if (wanted(triangles_[i]))
-                    known.improve(query, numbered(triangles_[i]));
+        if (is_leaf(branch)) {
+            for (const Index f : triangles_of(branch))
+                if (wanted(f))
+                    known.improve(query, numbered(f));
             continue;
         }
-        const std::size_t left = 2 * at.node + 1, half = middle(at.begin, at.end);
-        Pending near{left, at.begin, half, boxes_[left].squared_distance(query)};
-        Pending far{left + 1, half, at.end, boxes_[left + 1].squared_distance(query)};
+        Pending near = pending(branch.left()), far = pending(branch.right());
         if (far.square < near.square)
             std::swap(near, far);
         if (known.may_yield_to(far.square))
@@ -149,25 +147,21 @@ bool has_corner(const Triangle& t, Index vertex) {
 
 /// Triangles of the leaves whose boxes meet another box, or the first of them where they are more than `most`.
 std::vector<Index> TriangleBoxes::meeting(const Box& box, std::size_t most) const {
-    struct Pending {
-        std::size_t node, begin, end;
-    };
     std::vector<Index> found;
-    std::array<Pending, 64> stack;
+    std::array<Branch, deepest> stack;
     std::size_t size = 0;
-    stack[size++] = {0, 0, triangles_.size()};
+    stack[size++] = root();
     while (size > 0 && found.size() <= most) {
-        const Pending at = stack[--size];
-        if (!boxes_[at.node].meets(box))
+        const Branch branch = stack[--size];
+        if (!boxes_[branch.node].meets(box))
             continue;
-        if (is_leaf(at.node)) {
-            const auto leaf = triangles_.begin() + static_cast<std::ptrdiff_t>(at.begin);
-            found.insert(found.end(), leaf, leaf + static_cast<std::ptrdiff_t>(at.end - at.begin));
+        if (is_leaf(branch)) {
+            const std::span<const Index> leaf = triangles_of(branch);
+            found.insert(found.end(), leaf.begin(), leaf.end());
             continue;
         }
-        const std::size_t left = 2 * at.node + 1, half = middle(at.begin, at.end);
-        stack[size++] = {left + 1, half, at.end};
-        stack[size++] = {left, at.begin, half};
+        stack[size++] = branch.right();
+        stack[size++] = branch.left();
     }
     return found;
 }

@@ -71,6 +71,15 @@ private:
         }
     };
 
+    /// A node and the run of triangles that it covers.
+    struct Branch {
+        std::size_t node, begin, end;
+
+        std::size_t half() const { return begin + (end - begin + 1) / 2; }
+        Branch left() const { return {2 * node + 1, begin, half()}; }
+        Branch right() const { return {2 * node + 2, half(), end}; }
+    };
+
     struct Boxed {
         Box box;
         Index triangle;
@@ -83,9 +92,13 @@ private:
     double clearance(Index vertex, double most) const;
     double clearance(Index vertex, std::span<const Boxed> triangles, double most) const;
     void clear(std::span<const Index> vertices, double most, std::vector<double>& clearances) const;
-    void halve(std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
-    void build(std::size_t node, std::size_t begin, std::size_t end, const std::vector<Vec3>& centres);
-    bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
+    void halve(const Branch& branch, const std::vector<Vec3>& centres);
+    void build(const Branch& branch, const std::vector<Vec3>& centres);
+    Branch root() const { return {0, 0, triangles_.size()}; }
+    bool is_leaf(const Branch& branch) const { return 2 * branch.node + 1 >= boxes_.size(); }
+    std::span<const Index> triangles_of(const Branch& branch) const {
+        return std::span(triangles_).subspan(branch.begin, branch.end - branch.begin);
+    }
 
     const TriangleMesh& mesh_;
     std::vector<Index> triangles_; ///< leaf by leaf

@@ -91,18 +91,20 @@ TEST_CASE(
     for (Index centre : {Index{0}, Index{57}, Index{200}, Index{340}})
         for (double radius : {0.01, 0.3, 0.7, 5.0}) {
             std::set<Index> reached{centre}, edges;
-            walk.from(
-                centre, radius,
-                [&](Index v, double square) {
-                    CHECK(reached.insert(v).second);
-                    CHECK(square == (mesh.positions[v] - mesh.positions[centre]).squaredNorm());
-                },
-                [&](const OutwardStep& s) {
-                    CHECK(reached.contains(s.from));
-                    CHECK(edges.insert(s.edge).second);
-                    CHECK(s.to_square > s.from_square);
-                    CHECK((s.start + s.along - mesh.positions[s.to] + mesh.positions[centre]).norm() < 1e-12);
-                });
+            walk.from(centre, radius);
+            CHECK(walk.reached()[0].vertex == centre);
+            for (const OutwardWalk::Reached& r : walk.reached().subspan(1)) {
+                CHECK(reached.insert(r.vertex).second);
+                CHECK(r.square == (mesh.positions[r.vertex] - mesh.positions[centre]).squaredNorm());
+            }
+            for (const OutwardWalk::Step& s : walk.steps()) {
+                const OutwardWalk::Reached& start = walk.reached()[s.reached];
+                CHECK(reached.contains(start.vertex));
+                CHECK(edges.insert(s.edge).second);
+                CHECK(s.to_square > start.square);
+                CHECK(s.outward == start.place.dot(s.along));
+                CHECK((start.place + s.along - mesh.positions[s.to] + mesh.positions[centre]).norm() < 1e-12);
+            }
             CHECK(reached == reached_by_search(mesh, centre, radius));
         }
 }
@@ -111,21 +113,21 @@ TEST_CASE("a walk doesn't turn at right angles") {
     const TriangleMesh flat = shapes::square(10, 10); // 11 by 11 vertices, 1 apart
     const EdgeGraph graph(flat);
     OutwardWalk walk(flat, graph);
-    std::size_t reached = 0;
-    walk.from(
-        60, 1.5, [&](Index, double) { ++reached; }, [](const OutwardStep&) {});
-    CHECK(reached == 6); // not the corners to which no diagonal leads
+    walk.from(60, 1.5);
+    CHECK(walk.reached().size() == 7); // with the centre; not the corners to which no diagonal leads
 }
 
 TEST_CASE("an edge leaves a sphere where it crosses it") {
-    OutwardStep s;
-    s.start = Vec3(1, 0, 0);
+    OutwardWalk::Reached start;
+    start.place = Vec3(1, 0, 0);
+    start.square = 1;
+    OutwardWalk::Step s;
     s.along = Vec3(2, 0, 0);
-    s.from_square = 1;
+    s.outward = 2;
     s.to_square = 9;
-    CHECK(s.starts_within(1));
-    CHECK_FALSE(s.starts_within(0.9));
-    CHECK(s.share_within(2) == doctest::Approx(0.5));
-    CHECK(s.share_within(3) == 1);
-    CHECK(s.share_within(1) == 0);
+    CHECK(start.is_within(1));
+    CHECK_FALSE(start.is_within(0.9));
+    CHECK(s.share_within(2, start) == doctest::Approx(0.5));
+    CHECK(s.share_within(3, start) == 1);
+    CHECK(s.share_within(1, start) == 0);
 }

@@ -2,6 +2,7 @@
 /// \file  The vocabulary every module speaks: meshes, measures, the canonical frame.
 #pragma once
 
+#include <wm3d/mesh/centre.hpp>
 #include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/mesh/measure.hpp>
