@@ -21,9 +21,6 @@ namespace wm3d::io {
 
 namespace {
 
-/// Fewer bytes are nothing beside what a mark takes, and reading them again takes time.
-constexpr std::size_t worth_letting_go = 1 << 22;
-
 std::uint64_t digest(std::string_view bytes) {
     Fnv fnv;
     for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), sizeof(std::uint64_t)))) {
@@ -68,10 +65,10 @@ std::string_view FileBytes::here() {
     return bytes_;
 }
 
-void FileBytes::let_go() {
+void FileBytes::let_go(std::size_t fewest) {
     const std::lock_guard lock(guard_);
     std::error_code failure;
-    if (gone_ || bytes_.size() < worth_letting_go || path_.empty() ||
+    if (gone_ || bytes_.size() < fewest || path_.empty() ||
         !std::filesystem::is_regular_file(path_, failure)) // a pipe gives its bytes once
         return;
     digest_ = digest(bytes_);

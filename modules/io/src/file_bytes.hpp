@@ -2,6 +2,7 @@
 /// \file  The bytes of a file, which can go and come back.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
@@ -27,8 +28,8 @@ public:
     /// \throw InputError  if the file was changed since they went, or can't be read
     std::string_view here();
 
-    /// Lets them go, where they can come back and take much memory.
-    void let_go();
+    /// Lets them go, where they can come back and are at least so many.
+    void let_go(std::size_t fewest);
 
     /// \pre  nobody looks at them any more
     std::string take() &&;

@@ -59,8 +59,8 @@ std::span<const Index> Model::vertex_of_slot() const {
 std::string_view Model::bytes() const {
     return impl_->bytes.here();
 }
-void Model::let_bytes_go() const {
-    impl_->bytes.let_go();
+void Model::let_bytes_go(std::size_t fewest) const {
+    impl_->bytes.let_go(fewest);
 }
 double Model::coordinate_step() const {
     return impl_->awake().step(impl_->welding());

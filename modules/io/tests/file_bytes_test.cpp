@@ -20,6 +20,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t fewest = 1'000'000;
+
 /// A file that goes away.
 struct Passing {
     fs::path path;
@@ -54,27 +56,27 @@ std::size_t resident(std::string_view bytes) {
 } // namespace
 
 TEST_CASE("bytes go and come back to the same place") {
-    const std::string text = text_of(6'000'001);
+    const std::string text = text_of(3'000'001);
     const Passing file(text);
     FileBytes bytes(text);
     bytes.came_from(file.path);
     const std::string_view before = bytes.here();
     const std::size_t all = resident(before);
-    bytes.let_go();
+    bytes.let_go(fewest);
     CHECK(resident(before) < all / 10);
-    bytes.let_go();
+    bytes.let_go(fewest);
     CHECK(bytes.here().data() == before.data());
     CHECK(before == text);
-    bytes.let_go();
+    bytes.let_go(fewest);
     CHECK(std::move(bytes).take() == text);
 }
 
 TEST_CASE("bytes of a file that was changed, cut, lengthened or removed don't come back") {
-    const std::string text = text_of(5'000'000);
+    const std::string text = text_of(2'000'000);
     const Passing file(text);
     FileBytes bytes(text);
     bytes.came_from(file.path);
-    bytes.let_go();
+    bytes.let_go(fewest);
     std::string changed = text;
     changed[1'234'567] = '!';
     for (const std::string& other : {changed, text.substr(1), text + "a", std::string()}) {
@@ -88,29 +90,45 @@ TEST_CASE("bytes of a file that was changed, cut, lengthened or removed don't co
 }
 
 TEST_CASE("bytes stay where they can't be read again") {
-    const std::string text = text_of(5'000'000);
+    const std::string text = text_of(2'000'000);
     FileBytes from_nowhere(text), from_a_device(text);
     from_a_device.came_from("/dev/null");
     for (FileBytes* bytes : {&from_nowhere, &from_a_device}) {
         const std::size_t all = resident(bytes->here());
-        bytes->let_go();
+        bytes->let_go(fewest);
         CHECK(resident(bytes->here()) == all);
         CHECK(bytes->here() == text);
     }
 }
 
+TEST_CASE("fewer bytes than are worth it stay") {
+    const std::string text = text_of(2'000'000);
+    const Passing file(text);
+    FileBytes bytes(text);
+    bytes.came_from(file.path);
+    bytes.let_go(text.size() + 1);
+    fs::remove(file.path);
+    CHECK(bytes.here() == text);
+    const TriangleMesh mesh = shapes::blob(40'000, 1);
+    const Passing small(encode(mesh, Format::ply));
+    const Model model = read(small.path, {.format = Format::ply});
+    model.let_bytes_go();
+    fs::remove(small.path);
+    CHECK(model.bytes() == encode(mesh, Format::ply));
+}
+
 TEST_CASE("a model is patched as ever after its bytes went, and not at all if the file changed") {
-    const TriangleMesh mesh = shapes::blob(120'000, 1);
+    const TriangleMesh mesh = shapes::blob(40'000, 1);
     const Passing file(encode(mesh, Format::ply));
     const Model model = read(file.path, {.format = Format::ply});
     std::vector<Vec3> moved = model.mesh().positions;
     moved[7] += Vec3(0.01, 0, 0);
     const std::string expected = model.patched(moved);
-    model.let_bytes_go();
+    model.let_bytes_go(fewest);
     CHECK(model.patched(moved) == expected);
-    model.let_bytes_go();
+    model.let_bytes_go(fewest);
     CHECK(model.bytes() == encode(mesh, Format::ply));
-    model.let_bytes_go();
+    model.let_bytes_go(fewest);
     file.rewrite(expected);
     CHECK_THROWS_AS(model.patched(moved), InputError);
 }

@@ -2,6 +2,7 @@
 /// \file  A mesh file in memory: its surface for the analysis, and its bytes with other coordinates.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -61,10 +62,11 @@ public:
     /// The file as it was read.
     std::string_view bytes() const;
 
-    /// Lets the file's bytes go until something needs them, if they were `read` from a large file: they are then read again.
+    /// Lets the file's bytes go until something needs them, if they were `read` from a file: they are then read again.
     /// Whatever needs them throws InputError if the file was changed meanwhile.
+    /// \param fewest  so many bytes or more go; fewer are nothing beside what a mark takes, and reading them again takes time
     /// \pre  nobody looks at `bytes` any more
-    void let_bytes_go() const;
+    void let_bytes_go(std::size_t fewest = std::size_t{16} << 20) const;
 
     /// The coarsest distance between neighbouring values that a coordinate of the surface can be given in
     /// this file, in units of the mesh. Moves well below it are lost.
