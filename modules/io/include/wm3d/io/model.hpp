@@ -66,7 +66,7 @@ public:
     /// Whatever needs them throws InputError if the file was changed meanwhile.
     /// \param fewest  so many bytes or more go; fewer are nothing beside what a mark takes, and reading them again takes time
     /// \pre  nobody looks at `bytes` any more
-    void let_bytes_go(std::size_t fewest = std::size_t{16} << 20) const;
+    void let_bytes_go(std::size_t fewest = std::size_t{4} << 20) const;
 
     /// The coarsest distance between neighbouring values that a coordinate of the surface can be given in
     /// this file, in units of the mesh. Moves well below it are lost.
