@@ -267,7 +267,10 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
         const std::vector<double> seen = msdm2_->field(marked);
         if (metrics::msdm2_mean(marked, seen) <= tolerable * budget)
             break;
+        const std::vector<char> before = still;
         hold_around(still, mesh_, seen, budget / 2);
+        if (still == before) // the next round would see the same
+            break;
     }
     const auto count = static_cast<std::size_t>(std::ranges::count(still, 1));
     return count == 0 || count == still.size() ? std::vector<char>() : still;
