@@ -70,8 +70,9 @@ Budget::Budget(const TriangleMesh& mesh, const BudgetOptions& options) : mesh_(m
     if (mesh.positions.size() > std::max(options.most_whole, options.most_jumpy)) {
         patches_.emplace(mesh);
     } else {
-        tree_.emplace(mesh);
+        tree_.emplace(mesh, metrics::SurfaceTree::Made::at_need); // MSDM2 of a mark asks it for little
         msdm2_.emplace(*tree_);
+        msdm2_->get_ready_for_moves();
     }
 }
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <span>
 
 #include <wm3d/core/error.hpp>
@@ -15,6 +16,7 @@
 #include "edge_graph.hpp"
 #include "msdm2_parts.hpp"
 #include "msdm2_window.hpp"
+#include "triangle_grid.hpp"
 
 namespace wm3d::metrics {
 
@@ -56,11 +58,11 @@ struct Msdm2::Prepared {
         : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)),
           own_side(longest_side(surface.mesh())) {}
 
-    /// Distance of each vertex of the reference from the triangles that it doesn't belong to, #V, as far as
-    /// marks move; 0 where it belongs to none.
-    const std::vector<double>& clearances() const;
+    /// Makes what `match` looks into.
+    void get_ready_for_moves() const;
 
     /// The reference's point closest to where its vertex went.
+    /// \pre  get_ready_for_moves()
     ClosestPoint match(Index vertex, const Vec3& moved) const;
 
     /// The reference's curvatures for S = `side`.
@@ -112,9 +114,12 @@ private:
         return times(side * options.curvature_ratio, options.scales);
     }
 
-    mutable std::once_flag cleared_, curved_;
-    mutable std::vector<double> clearances_;       ///< made at first need
-    mutable std::vector<PerScale> own_curvatures_; ///< the same
+    mutable std::once_flag ready_, curved_;
+    mutable std::optional<TriangleGrid> grid_; ///< unless triangles are too uneven
+    /// What is not more than the distance of each vertex of the reference from the triangles that it doesn't belong to, #V, as
+    /// far as marks move.
+    mutable std::vector<double> clearances_;
+    mutable std::vector<PerScale> own_curvatures_; ///< made at first need
 };
 
 const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
@@ -122,19 +127,26 @@ const std::vector<PerScale>& Msdm2::Prepared::own_curvatures() const {
     return own_curvatures_;
 }
 
-const std::vector<double>& Msdm2::Prepared::clearances() const {
+void Msdm2::Prepared::get_ready_for_moves() const {
     constexpr double of_marks = 2.5e-3; // times the longest side: twice what all but few vertices move
-    std::call_once(cleared_, [&] { clearances_ = tree.clearances(of_marks * own_side); });
-    return clearances_;
+    std::call_once(ready_, [&] {
+        grid_ = TriangleGrid::over(tree.mesh(), tree.with_area());
+        clearances_ = grid_ ? grid_->clearances(of_marks * own_side) : tree.clearances(of_marks * own_side);
+    });
 }
 
 ClosestPoint Msdm2::Prepared::match(Index vertex, const Vec3& moved) const {
     const std::span<const Index> own = graph.triangles_at(vertex);
-    const double move = (moved - tree.mesh().positions[vertex]).norm();
+    if (own.empty())
+        return tree.closest(moved);
     // All other triangles are farther than where the vertex was.
-    if (move < 0.499 * clearances()[vertex])
+    if ((moved - tree.mesh().positions[vertex]).norm() < 0.499 * clearances_[vertex] &&
+        tree.has_area(own.front()))
         return tree.closest_of(own, moved);
-    return own.empty() ? tree.closest(moved) : tree.closest(moved, vertex, own.front());
+    if (grid_)
+        if (const std::optional<Index> nearest = grid_->nearest(moved, vertex, own))
+            return tree.on(*nearest, moved);
+    return tree.closest(moved, vertex, own.front());
 }
 
 std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
@@ -144,11 +156,11 @@ std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted
         distorted, around, edge_angles(distorted, around), curvature_radii(side), wanted);
     const bool same_triangles = &around == &graph;
     if (same_triangles)
-        clearances(); // here, where all threads are free for them
+        get_ready_for_moves();
     std::vector<WindowSample> samples(distorted.positions.size());
     parallel_blocks(samples.size(), vertex_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v) {
-            if (!wanted.empty() && !wanted[v])
+            if ((!wanted.empty() && !wanted[v]) || around.triangles_at(v).empty())
                 continue;
             const Vec3& p = distorted.positions[v];
             const ClosestPoint match =
@@ -212,6 +224,10 @@ Msdm2::Msdm2(const SurfaceTree& reference, const Msdm2Options& options)
 Msdm2::~Msdm2() = default;
 Msdm2::Msdm2(Msdm2&&) noexcept = default;
 Msdm2& Msdm2::operator=(Msdm2&&) noexcept = default;
+
+void Msdm2::get_ready_for_moves() const {
+    prepared_->get_ready_for_moves();
+}
 
 double Msdm2::distance(const TriangleMesh& distorted) const {
     return prepared_->with_graph(distorted, [&](const EdgeGraph& around) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/metrics/surface_tree.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <vector>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 #include "closest_on_triangle.hpp"
@@ -12,19 +16,38 @@
 
 namespace wm3d::metrics {
 
-SurfaceTree::SurfaceTree(const TriangleMesh& mesh) : mesh_(&mesh), has_area_(mesh.triangles.size()) {
+struct SurfaceTree::Boxes {
+    std::once_flag made;
+    std::optional<TriangleBoxes> tree;
+};
+
+SurfaceTree::SurfaceTree(const TriangleMesh& mesh, Made made)
+    : mesh_(&mesh), has_area_(mesh.triangles.size()), boxes_(std::make_unique<Boxes>()) {
     for (std::size_t f = 0; f < has_area_.size(); ++f)
         has_area_[f] = area_vector(mesh, f).squaredNorm() > 0;
-    std::vector<Index> triangles;
-    triangles.reserve(mesh.triangles.size());
-    for (Index f = 0; f < mesh.triangles.size(); ++f)
-        if (has_area(f))
-            triangles.push_back(f);
-    if (triangles.empty())
+    if (std::ranges::count(has_area_, 1) == 0)
         throw GeometryError(
             "the mesh has no triangle with an area, so no distance to it can be measured; check "
             "that the file holds the model that you mean");
-    boxes_ = std::make_unique<TriangleBoxes>(mesh, std::move(triangles));
+    if (made == Made::at_once)
+        boxes();
+}
+
+std::vector<Index> SurfaceTree::with_area() const {
+    std::vector<Index> triangles;
+    triangles.reserve(has_area_.size());
+    for (Index f = 0; f < has_area_.size(); ++f)
+        if (has_area(f))
+            triangles.push_back(f);
+    return triangles;
+}
+
+const TriangleBoxes& SurfaceTree::boxes() const {
+    std::call_once(boxes_->made, [this] {
+        // As a task of its own, which takes no other meanwhile that may ask for the same.
+        parallel_tasks(1, [this](std::size_t) { boxes_->tree.emplace(*mesh_, with_area()); });
+    });
+    return *boxes_->tree;
 }
 
 SurfaceTree::~SurfaceTree() = default;
@@ -32,33 +55,33 @@ SurfaceTree::SurfaceTree(SurfaceTree&&) noexcept = default;
 SurfaceTree& SurfaceTree::operator=(SurfaceTree&&) noexcept = default;
 
 ClosestPoint SurfaceTree::closest(const Vec3& query) const {
-    return on(boxes_->nearest(query).triangle, query);
+    return on(boxes().nearest(query).triangle, query);
 }
 
 ClosestPoint SurfaceTree::closest(const Vec3& query, Index near) const {
     NearestTriangle known;
     if (has_area(near))
-        known.improve(query, boxes_->numbered(near));
-    return on(boxes_->nearest(query, known).triangle, query);
+        known.improve(query, boxes().numbered(near));
+    return on(boxes().nearest(query, known).triangle, query);
 }
 
 ClosestPoint SurfaceTree::closest(const Vec3& query, Index known, Index of) const {
     if (!has_area(of))
         return closest(query);
     const double bound = (mesh_->positions[known] - query).squaredNorm();
-    return on(boxes_->nearest(query, {of, bound}).triangle, query);
+    return on(boxes().nearest(query, {of, bound}).triangle, query);
 }
 
 ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec3& query) const {
     NearestTriangle best;
     for (Index f : triangles)
         if (has_area(f))
-            best.improve(query, boxes_->numbered(f));
+            best.improve(query, boxes().numbered(f));
     return on(best.triangle, query);
 }
 
 std::vector<double> SurfaceTree::clearances(double most) const {
-    return boxes_->clearances(most);
+    return boxes().clearances(most);
 }
 
 ClosestPoint SurfaceTree::on(Index triangle, const Vec3& query) const {

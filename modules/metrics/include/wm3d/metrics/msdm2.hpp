@@ -59,6 +59,9 @@ public:
     Msdm2(Msdm2&&) noexcept;
     Msdm2& operator=(Msdm2&&) noexcept;
 
+    /// Makes what comparing with meshes of the reference's triangles takes, which the first of them would wait for.
+    void get_ready_for_moves() const;
+
     /// 0 for the reference itself, towards 1 where nothing agrees.
     /// \throw GeometryError  if the mesh has no triangle
     double distance(const TriangleMesh& distorted) const;

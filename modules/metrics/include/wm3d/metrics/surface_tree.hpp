@@ -22,8 +22,11 @@ struct ClosestPoint {
 /// several threads. The mesh must outlive the tree.
 class SurfaceTree {
 public:
+    /// When the tree is made: whoever asks for little but what is known without it may never need it.
+    enum class Made { at_once, at_need };
+
     /// \throw GeometryError  if the mesh has no triangle with an area
-    explicit SurfaceTree(const TriangleMesh& mesh);
+    explicit SurfaceTree(const TriangleMesh& mesh, Made made = Made::at_once);
     ~SurfaceTree();
     SurfaceTree(SurfaceTree&&) noexcept;
     SurfaceTree& operator=(SurfaceTree&&) noexcept;
@@ -42,6 +45,9 @@ public:
     /// \pre  one of them has an area
     ClosestPoint closest_of(std::span<const Index> triangles, const Vec3& query) const;
 
+    /// The point of a triangle that is closest to the query.
+    ClosestPoint on(Index triangle, const Vec3& query) const;
+
     /// Distance of each vertex of the mesh from the triangles with an area that it is no corner of, #V, or `most` if
     /// they are all farther: the less that is, the shorter the search. 0 for corners of no triangle with an area.
     std::vector<double> clearances(double most) const;
@@ -51,12 +57,16 @@ public:
     /// Whether a triangle of the mesh is in the tree.
     bool has_area(Index triangle) const { return has_area_[triangle] != 0; }
 
+    /// The triangles that are, ascending.
+    std::vector<Index> with_area() const;
+
 private:
-    ClosestPoint on(Index triangle, const Vec3& query) const;
+    struct Boxes; ///< made when they are first asked for
+    const class TriangleBoxes& boxes() const;
 
     const TriangleMesh* mesh_;
     std::vector<char> has_area_; ///< #F
-    std::unique_ptr<class TriangleBoxes> boxes_;
+    std::unique_ptr<Boxes> boxes_;
 };
 
 } // namespace wm3d::metrics
