@@ -2,7 +2,8 @@
 #include "multilevel_diffusion.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include <Eigen/Core>
 
 #include <wm3d/core/parallel.hpp>
 
@@ -10,120 +11,25 @@ namespace wm3d::detect {
 
 namespace {
 
-constexpr std::size_t level_block = 8192;
-constexpr std::size_t fewest_rows = 500; ///< a level of fewer has no coarser one
-constexpr float damping = 0.75F;         ///< of Jacobi's steps
-constexpr int last_steps = 8;            ///< of them on the last level
-/// What a jump between aggregates costs, over what a smooth change of the same size would.
-constexpr double stiffness = 0.8;
+constexpr float damping = 0.75F; ///< of Jacobi's steps
+constexpr int last_steps = 8;    ///< of them on the last level
 
-/// Row of the next level for each row: one for each that has no neighbour in an earlier one yet, with its neighbours;
-/// what is left over joins the neighbour that it hangs on to most.
-std::vector<Index> aggregate(const SymmetricRowsOf<float>& rows, Index& count) {
-    const auto size = static_cast<Index>(rows.diagonal.size());
-    std::vector<Index> parent(size, no_index);
-    count = 0;
-    const auto columns = [&](Index i) {
-        return std::span(rows.column).subspan(rows.start[i], rows.start[i + 1] - rows.start[i]);
-    };
-    for (Index i = 0; i < size; ++i) {
-        const auto is_free = [&](Index j) { return parent[j] == no_index; };
-        if (!is_free(i) || !std::ranges::all_of(columns(i), is_free))
-            continue;
-        parent[i] = count;
-        for (const Index j : columns(i))
-            parent[j] = count;
-        ++count;
-    }
-    const std::vector<Index> first = parent;
-    for (Index i = 0; i < size; ++i) {
-        if (first[i] != no_index)
-            continue;
-        float most = 0;
-        for (Index e = rows.start[i]; e < rows.start[i + 1]; ++e)
-            if (first[rows.column[e]] != no_index && -rows.value[e] > most) {
-                most = -rows.value[e];
-                parent[i] = first[rows.column[e]];
-            }
-        if (parent[i] == no_index)
-            parent[i] = count++;
-    }
-    return parent;
-}
+template<int K>
+using Several = Eigen::Array<float, K, 1>;
 
-/// Numbers from 0 to #parent by their parents: `start` has #parents + 1.
-std::vector<Index> children_of(const std::vector<Index>& parent, Index count, std::vector<Index>& start) {
-    start.assign(count + 1, 0);
-    for (const Index p : parent)
-        ++start[p + 1];
-    std::partial_sum(start.begin(), start.end(), start.begin());
-    std::vector<Index> children(parent.size()), next(start.begin(), start.end() - 1);
-    for (Index i = 0; i < parent.size(); ++i)
-        children[next[parent[i]]++] = i;
-    return children;
-}
+template<int K>
+using Sums = Eigen::Array<double, K, 1>;
 
-/// Rows of the aggregates: sums over pairs of their members.
-SymmetricRowsOf<float> coarser(const SymmetricRowsOf<float>& rows, const std::vector<Index>& parent,
-                               Index count) {
-    std::vector<Index> first;
-    const std::vector<Index> children = children_of(parent, count, first);
-    struct Entry {
-        Index column;
-        float value;
-    };
-    std::vector<std::vector<Entry>> blocks((count + level_block - 1) / level_block);
-    SymmetricRowsOf<float> coarse;
-    coarse.diagonal.resize(count);
-    coarse.start.assign(count + 1, 0);
-    parallel_blocks(count, level_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Entry> all, &merged = blocks[begin / level_block];
-        for (std::size_t p = begin; p < end; ++p) {
-            all.clear();
-            for (Index c = first[p]; c < first[p + 1]; ++c)
-                for (Index e = rows.start[children[c]]; e < rows.start[children[c] + 1]; ++e)
-                    if (const Index other = parent[rows.column[e]]; other != p)
-                        all.push_back({other, rows.value[e]});
-            std::ranges::stable_sort(all, {}, &Entry::column);
-            const std::size_t before = merged.size();
-            double diagonal = 0;
-            for (std::size_t i = 0; i < all.size();) {
-                double sum = 0;
-                const Index column = all[i].column;
-                for (; i < all.size() && all[i].column == column; ++i)
-                    sum += all[i].value;
-                merged.push_back({column, static_cast<float>(stiffness * sum)});
-                diagonal -= stiffness * sum;
-            }
-            coarse.diagonal[p] = static_cast<float>(diagonal);
-            coarse.start[p + 1] = static_cast<Index>(merged.size() - before);
-        }
-    });
-    std::partial_sum(coarse.start.begin(), coarse.start.end(), coarse.start.begin());
-    coarse.column.reserve(coarse.start.back());
-    coarse.value.reserve(coarse.start.back());
-    for (const std::vector<Entry>& block : blocks)
-        for (const Entry& entry : block) {
-            coarse.column.push_back(entry.column);
-            coarse.value.push_back(entry.value);
-        }
-    return coarse;
-}
-
-/// Row i of (M + tL) x.
-template<typename Value>
-Value row_times(std::span<const float> mass, const SymmetricRowsOf<float>& laplacian, Value t, std::size_t i,
-                const std::vector<Value>& x) {
-    Value beside = 0;
-    for (Index e = laplacian.start[i]; e < laplacian.start[i + 1]; ++e)
-        beside += static_cast<Value>(laplacian.value[e]) * x[laplacian.column[e]];
-    return (static_cast<Value>(mass[i]) + t * static_cast<Value>(laplacian.diagonal[i])) * x[i] + t * beside;
-}
-
-/// Sum of `term` over all numbers below `count`, in a fixed order.
-template<typename Term>
-double sum_over(std::size_t count, Term&& term) {
-    return parallel_sum_of(count, level_block, term);
+/// Sums of `term` over all numbers below `count`, in a fixed order.
+template<int K, typename Term>
+Sums<K> sums_over(std::size_t count, Term&& term) {
+    return parallel_sum(count, level_block, Sums<K>(Sums<K>::Zero()),
+                        [&](std::size_t begin, std::size_t end) {
+                            Sums<K> part = Sums<K>::Zero();
+                            for (std::size_t i = begin; i < end; ++i)
+                                part += term(i);
+                            return part;
+                        });
 }
 
 template<typename Do>
@@ -134,103 +40,228 @@ void for_each_row(std::size_t count, Do&& act) {
     });
 }
 
+/// M + tL of a level, for K vectors.
+template<int K>
+struct System {
+    using Rows = std::vector<Several<K>>;
+    const DiffusionLevel& level;
+    float t;
+
+    std::size_t size() const { return level.mass.size(); }
+
+    float diagonal(std::size_t i) const { return level.mass[i] + t * level.laplacian.diagonal[i]; }
+
+    /// Row i of the product with x.
+    Several<K> times(std::size_t i, const Rows& x) const {
+        Several<K> beside = Several<K>::Zero();
+        for (Index e = level.laplacian.start[i]; e < level.laplacian.start[i + 1]; ++e)
+            beside += level.laplacian.value[e] * x[level.laplacian.column[e]];
+        return diagonal(i) * x[i] + t * beside;
+    }
+
+    /// A step of Jacobi's from 0.
+    Several<K> first_step(std::size_t i, const Several<K>& right) const {
+        return (damping / diagonal(i)) * right;
+    }
+
+    /// A step further; right . x after it.
+    Sums<K> step(const Rows& right, Rows& x, Rows& scratch) const {
+        const Sums<K> product = sums_over<K>(size(), [&](std::size_t i) -> Sums<K> {
+            scratch[i] = x[i] + first_step(i, right[i] - times(i, x));
+            return right[i].template cast<double>() * scratch[i].template cast<double>();
+        });
+        x.swap(scratch);
+        return product;
+    }
+
+    void residual(const Rows& right, const Rows& x, Rows& result) const {
+        for_each_row(size(), [&](std::size_t i) { result[i] = right[i] - times(i, x); });
+    }
+
+    /// The sum over the members of an aggregate.
+    Several<K> sum_of(std::size_t aggregate, const Rows& x) const {
+        Several<K> sum = Several<K>::Zero();
+        for (const Index i : level.members.of(aggregate))
+            sum += x[i];
+        return sum;
+    }
+
+    void add_coarse(const Rows& coarse, Rows& x) const {
+        for_each_row(coarse.size(), [&](std::size_t p) {
+            for (const Index i : level.members.of(p))
+                x[i] += coarse[p];
+        });
+    }
+};
+
+template<int K>
+struct Scratch {
+    std::vector<Several<K>> right, solution, other;
+
+    explicit Scratch(std::size_t rows) : right(rows), solution(rows), other(rows) {}
+};
+
+/// From the first step in `solution` to an approximate solution of `right` at a level and below it; right . solution.
+template<int K>
+Sums<K> cycle(const std::vector<DiffusionLevel>& levels, float t, std::size_t depth,
+              std::vector<Scratch<K>>& at) {
+    const System<K> system{levels[depth], t};
+    Scratch<K>& here = at[depth];
+    if (depth + 1 < levels.size()) {
+        const System<K> coarser{levels[depth + 1], t};
+        Scratch<K>& below = at[depth + 1];
+        system.residual(here.right, here.solution, here.other);
+        for_each_row(coarser.size(), [&](std::size_t p) {
+            below.right[p] = system.sum_of(p, here.other);
+            below.solution[p] = coarser.first_step(p, below.right[p]);
+        });
+        cycle(levels, t, depth + 1, at);
+        system.add_coarse(below.solution, here.solution);
+    } else {
+        for (int n = 2; n < last_steps; ++n)
+            system.step(here.right, here.solution, here.other);
+    }
+    return system.step(here.right, here.solution, here.other);
+}
+
+/// K vectors that are solved for together.
+template<int K>
+class JointSolution {
+public:
+    JointSolution(const std::vector<DiffusionLevel>& levels, double t, std::span<std::vector<double>> x)
+        : levels_(levels), finest_{levels.front(), static_cast<float>(t)}, t_(t), x_(x),
+          p_(levels.front().mass.size(), Several<K>::Zero()) {
+        for (const DiffusionLevel& level : levels)
+            scratch_.emplace_back(level.mass.size());
+    }
+
+    int solve(double tolerance, int most) {
+        const Sums<K> enough = tolerance * tolerance * start();
+        Sums<K> before = Sums<K>::Zero();
+        for (int steps = 1;; ++steps) {
+            const Sums<K> rz = cycle(levels_, finest_.t, 0, scratch_);
+            if (!(rz > enough).any() || steps > most)
+                return steps;
+            turn((before > 0).select(rz / before, 0.0));
+            const Sums<K> pq = apply();
+            advance((pq > 0).select(rz / pq, 0.0));
+            before = rz;
+        }
+    }
+
+private:
+    std::size_t count() const { return p_.size(); }
+    double mass(std::size_t i) const { return static_cast<double>(levels_.front().mass[i]); }
+
+    Sums<K> given(std::size_t i) const {
+        Sums<K> row;
+        for (std::size_t k = 0; k < K; ++k)
+            row[static_cast<Eigen::Index>(k)] = x_[k][i];
+        return row;
+    }
+
+    /// Row i of L x, in double.
+    template<typename Rows>
+    Sums<K> flow(std::size_t i, Rows&& x) const {
+        const SymmetricRowsOf<float>& laplacian = levels_.front().laplacian;
+        Sums<K> sum = static_cast<double>(laplacian.diagonal[i]) * x(i);
+        for (Index e = laplacian.start[i]; e < laplacian.start[i + 1]; ++e)
+            sum += static_cast<double>(laplacian.value[e]) * x(laplacian.column[e]);
+        return sum;
+    }
+
+    /// And where the next cycle begins.
+    void set_residual(std::size_t i, const Sums<K>& residual) {
+        scratch_.front().right[i] = residual.template cast<float>();
+        scratch_.front().solution[i] = finest_.first_step(i, scratch_.front().right[i]);
+    }
+
+    /// Begins with f itself where that is smooth, and with 0 where it isn't; f . M f.
+    Sums<K> start() {
+        const Sums<K> size =
+            sums_over<K>(count(), [&](std::size_t i) -> Sums<K> { return mass(i) * given(i).square(); });
+        const Sums<K> right =
+            sums_over<K>(count(), [&](std::size_t i) -> Sums<K> { return (mass(i) * given(i)).square(); });
+        const Sums<K> flowing = sums_over<K>(count(), [&](std::size_t i) -> Sums<K> {
+            const Sums<K> residual = -t_ * flow(i, [&](std::size_t j) { return given(j); });
+            set_residual(i, residual);
+            return residual.square();
+        });
+        const auto smooth = (flowing < right).eval();
+        if (smooth.all())
+            return size;
+        for_each_row(count(), [&](std::size_t i) {
+            const Sums<K> residual = scratch_.front().right[i].template cast<double>();
+            set_residual(i, smooth.select(residual, mass(i) * given(i)));
+        });
+        for (std::size_t k = 0; k < K; ++k)
+            if (!smooth[static_cast<Eigen::Index>(k)])
+                std::ranges::fill(x_[k], 0.0);
+        return size;
+    }
+
+    void turn(const Sums<K>& beta) {
+        const std::vector<Several<K>>& z = scratch_.front().solution;
+        const Several<K> factor = beta.template cast<float>();
+        for_each_row(count(), [&](std::size_t i) { p_[i] = z[i] + factor * p_[i]; });
+    }
+
+    /// q = (M + tL) p, which lies where nothing is between cycles; p . q.
+    Sums<K> apply() {
+        std::vector<Several<K>>& q = scratch_.front().other;
+        return sums_over<K>(count(), [&](std::size_t i) -> Sums<K> {
+            const auto p = [&](std::size_t j) { return p_[j].template cast<double>(); };
+            const Sums<K> row = mass(i) * p(i) + t_ * flow(i, p);
+            q[i] = row.template cast<float>();
+            return row * p(i);
+        });
+    }
+
+    void advance(const Sums<K>& alpha) {
+        const std::vector<Several<K>>& r = scratch_.front().right;
+        const std::vector<Several<K>>& q = scratch_.front().other;
+        for_each_row(count(), [&](std::size_t i) {
+            for (std::size_t k = 0; k < K; ++k) {
+                const auto at = static_cast<Eigen::Index>(k);
+                x_[k][i] += alpha[at] * static_cast<double>(p_[i][at]);
+            }
+            set_residual(i, r[i].template cast<double>() - alpha * q[i].template cast<double>());
+        });
+    }
+
+    const std::vector<DiffusionLevel>& levels_;
+    System<K> finest_;
+    double t_;
+    std::span<std::vector<double>> x_;
+    std::vector<Several<K>> p_;
+    std::vector<Scratch<K>> scratch_;
+};
+
+template<int K>
+int solve_jointly(const std::vector<DiffusionLevel>& levels, double t, std::span<std::vector<double>> x,
+                  double tolerance, int most) {
+    return JointSolution<K>(levels, t, x).solve(tolerance, most);
+}
+
 } // namespace
 
-MultilevelDiffusion::MultilevelDiffusion(const TriangleMesh& mesh, std::span<const double> mass) {
-    unit_ = sum_over(mass.size(), [&](std::size_t i) { return mass[i]; }) / static_cast<double>(mass.size());
-    Level finest{{}, cotangent_laplacian<float>(mesh), {}};
-    for (const double m : mass)
-        finest.mass.push_back(static_cast<float>(m / unit_));
-    levels_.push_back(std::move(finest));
-    while (levels_.back().mass.size() > fewest_rows) {
-        Level& fine = levels_.back();
-        Index count = 0;
-        fine.parent = aggregate(fine.laplacian, count);
-        if (2 * count > fine.mass.size()) { // loose pieces, of which nothing is to be had
-            fine.parent.clear();
-            break;
-        }
-        Level coarse{std::vector<float>(count, 0.0F), coarser(fine.laplacian, fine.parent, count), {}};
-        for (std::size_t i = 0; i < fine.parent.size(); ++i)
-            coarse.mass[fine.parent[i]] += fine.mass[i];
-        levels_.push_back(std::move(coarse));
-    }
-}
+MultilevelDiffusion::MultilevelDiffusion(const TriangleMesh& mesh, std::span<const double> mass)
+    : unit_(sums_over<1>(mass.size(), [&](std::size_t i) { return Sums<1>(mass[i]); })[0] /
+            static_cast<double>(mass.size())),
+      levels_(diffusion_levels(mesh, mass, unit_)) {}
 
-/// An approximate solution of `right` at a level and below it, into `solution`.
-void MultilevelDiffusion::cycle(float t, std::size_t level, std::vector<Scratch>& at) const {
-    const std::vector<float>& mass = levels_[level].mass; // no structured bindings: lambdas capture these
-    const auto& laplacian = levels_[level].laplacian;
-    const std::vector<Index>& parent = levels_[level].parent;
-    const std::vector<float>& right = at[level].right;
-    std::vector<float>& x = at[level].solution;
-    std::vector<float>& residual = at[level].residual;
-    const std::size_t count = mass.size();
-    const auto diagonal = [&](std::size_t i) { return mass[i] + t * laplacian.diagonal[i]; };
-    const auto residual_at = [&](std::size_t i) {
-        return right[i] - row_times<float>(mass, laplacian, t, i, x);
-    };
-    const auto step = [&] {
-        for_each_row(count,
-                     [&](std::size_t i) { residual[i] = x[i] + damping * residual_at(i) / diagonal(i); });
-        x.swap(residual);
-    };
-    for_each_row(count, [&](std::size_t i) { x[i] = damping * right[i] / diagonal(i); });
-    if (parent.empty()) {
-        for (int k = 1; k < last_steps; ++k)
-            step();
-        return;
-    }
-    for_each_row(count, [&](std::size_t i) { residual[i] = residual_at(i); });
-    Scratch& below = at[level + 1];
-    std::ranges::fill(below.right, 0.0F);
-    for (std::size_t i = 0; i < count; ++i)
-        below.right[parent[i]] += residual[i];
-    cycle(t, level + 1, at);
-    for_each_row(count, [&](std::size_t i) { x[i] += below.solution[parent[i]]; });
-    step();
-}
-
-int MultilevelDiffusion::diffuse(double t, std::vector<double>& x, double tolerance, int most) const {
-    const std::vector<float>& mass = levels_.front().mass;
-    const auto& laplacian = levels_.front().laplacian;
-    const std::size_t count = x.size();
-    t /= unit_;
-    std::vector<Scratch> scratch;
-    for (const Level& level : levels_) {
-        const std::size_t rows = level.mass.size();
-        scratch.push_back({std::vector<float>(rows), std::vector<float>(rows), std::vector<float>(rows)});
-    }
-    const std::vector<float>& z = scratch.front().solution;
-    std::vector<double> r(count), p(count, 0.0);
-    std::vector<float> q(count); // its rounding is nothing beside the tolerance
-    const double right = sum_over(count, [&](std::size_t i) {
-        const double y = static_cast<double>(mass[i]) * x[i];
-        r[i] = y - row_times<double>(mass, laplacian, t, i, x);
-        scratch[0].right[i] = static_cast<float>(r[i]);
-        return y * y;
-    });
-    double left = sum_over(count, [&](std::size_t i) { return r[i] * r[i]; });
-    double before = 0;
+int MultilevelDiffusion::diffuse(double t, std::span<std::vector<double>> vectors, double tolerance,
+                                 int most) const {
+    constexpr std::size_t together = 3;
     int steps = 0;
-    for (; steps < most && left > tolerance * tolerance * right; ++steps) {
-        cycle(static_cast<float>(t), 0, scratch);
-        const double rz = sum_over(count, [&](std::size_t i) { return r[i] * static_cast<double>(z[i]); });
-        const double beta = steps == 0 ? 0 : rz / before;
-        for_each_row(count, [&](std::size_t i) { p[i] = static_cast<double>(z[i]) + beta * p[i]; });
-        const double pq = sum_over(count, [&](std::size_t i) {
-            const double product = row_times<double>(mass, laplacian, t, i, p);
-            q[i] = static_cast<float>(product);
-            return p[i] * product;
-        });
-        const double alpha = rz / pq;
-        before = rz;
-        left = sum_over(count, [&](std::size_t i) {
-            x[i] += alpha * p[i];
-            r[i] -= alpha * static_cast<double>(q[i]);
-            scratch[0].right[i] = static_cast<float>(r[i]);
-            return r[i] * r[i];
-        });
+    for (std::size_t first = 0; first < vectors.size(); first += together) {
+        const std::span some = vectors.subspan(first, std::min(together, vectors.size() - first));
+        if (some.size() == 3)
+            steps += solve_jointly<3>(levels_, t / unit_, some, tolerance, most);
+        else if (some.size() == 2)
+            steps += solve_jointly<2>(levels_, t / unit_, some, tolerance, most);
+        else
+            steps += solve_jointly<1>(levels_, t / unit_, some, tolerance, most);
     }
     return steps;
 }

@@ -72,15 +72,10 @@ std::span<const double> SurfaceFilter::mass() const {
     return operators_->mass;
 }
 
-std::size_t SurfaceFilter::at_once() const {
-    return operators_->dense ? 1 : 3;
-}
-
 std::vector<std::vector<double>> SurfaceFilter::low_pass(double t, std::vector<std::vector<double>> vectors,
                                                          double tolerance) const {
     if (operators_->dense) {
-        for (std::vector<double>& x : vectors)
-            operators_->dense->diffuse(t, x, tolerance, most_steps);
+        operators_->dense->diffuse(t, vectors, tolerance, most_steps);
         return vectors;
     }
     const Diffusion system = operators_->system(t);
@@ -105,7 +100,7 @@ std::vector<double> SurfaceFilter::low_pass_transposed(double t, std::span<const
         std::vector<double> x(y.begin(), y.end());
         for (std::size_t i = 0; i < x.size(); ++i)
             x[i] /= operators_->mass[i];
-        operators_->dense->diffuse(t, x, tolerance, most_steps);
+        operators_->dense->diffuse(t, std::span(&x, 1), tolerance, most_steps);
         for (std::size_t i = 0; i < x.size(); ++i)
             x[i] *= operators_->mass[i];
         return x;

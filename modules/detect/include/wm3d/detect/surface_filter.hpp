@@ -12,8 +12,8 @@ namespace wm3d::detect {
 
 /// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on
 /// any triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and
-/// positive. Solves by conjugate gradients that never form M + tL, three vectors at a time in one thread, and on
-/// dense surfaces by a hierarchy of levels, one vector at a time in all threads: the bytes don't depend on their number.
+/// positive. Solves by conjugate gradients that never form M + tL, up to three vectors at a time: in one thread, and on
+/// dense surfaces over a hierarchy of levels in all threads: the bytes don't depend on their number.
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);
@@ -24,7 +24,7 @@ public:
     /// Lumped areas, the diagonal of M: #V.
     std::span<const double> mass() const;
 
-    /// Residual of the solver, relative to the right-hand side. A mark moves a vertex by a thousandth of the
+    /// Residual of the solver, relative to the right-hand side; on dense surfaces the error, relative to x. A mark moves a vertex by a thousandth of the
     /// mean radius; an error of the filter can cost a little power but never a wrong probability, which is
     /// exact for any coefficients.
     static constexpr double usual_tolerance = 3e-6;
@@ -32,9 +32,6 @@ public:
     /// (M + tL)^-1 M x for each of the vectors, #V each; t in units of length squared.
     std::vector<std::vector<double>> low_pass(double t, std::vector<std::vector<double>> vectors,
                                               double tolerance = usual_tolerance) const;
-
-    /// Vectors that `low_pass` takes together; more are taken in turn.
-    std::size_t at_once() const;
 
     /// M (M + tL)^-1 y: the transpose of `low_pass`.
     std::vector<double> low_pass_transposed(double t, std::span<const double> y,
