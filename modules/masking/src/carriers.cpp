@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::masking {
@@ -13,6 +14,9 @@ namespace {
 
 /// Of averages that weigh the mask.
 constexpr double spread_tolerance = 1e-3;
+
+/// Of what roughness is measured against; a few thousandths of the roughness are wrong then.
+constexpr double residual_tolerance = 1e-5;
 
 /// Median over the vertices that have a normal, and so triangles.
 double typical_value(std::span<const double> x, std::span<const Vec3> normals) {
@@ -27,12 +31,20 @@ double typical_value(std::span<const double> x, std::span<const Vec3> normals) {
     return *middle;
 }
 
+constexpr std::size_t vertex_block = 16384;
+
+template<typename Do>
+void for_each_vertex(std::size_t count, Do&& act) {
+    parallel_blocks(count, vertex_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            act(i);
+    });
+}
+
 double area_rms(std::span<const double> x, std::span<const double> area) {
-    double squares = 0, total = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        squares += area[i] * x[i] * x[i];
-        total += area[i];
-    }
+    const double total = parallel_sum_of(x.size(), vertex_block, [&](std::size_t i) { return area[i]; });
+    const double squares =
+        parallel_sum_of(x.size(), vertex_block, [&](std::size_t i) { return area[i] * x[i] * x[i]; });
     return total > 0 ? std::sqrt(squares / total) : 0;
 }
 
@@ -40,20 +52,19 @@ double area_rms(std::span<const double> x, std::span<const double> area) {
 std::vector<double> normal_residual(const TriangleMesh& mesh, const Vec3& centroid,
                                     std::span<const Vec3> normals, const detect::SurfaceFilter& surface,
                                     double t) {
-    std::vector<double> e(mesh.positions.size(), 0.0);
-    const std::size_t together = surface.at_once();
-    for (std::size_t first = 0; first < 3; first += together) {
-        std::vector<std::vector<double>> x(together, std::vector<double>(e.size()));
-        const auto axis = [&](std::size_t k) { return static_cast<Eigen::Index>(first + k); };
-        for (std::size_t k = 0; k < together; ++k)
-            for (std::size_t i = 0; i < e.size(); ++i)
-                x[k][i] = mesh.positions[i][axis(k)] - centroid[axis(k)];
-        x = surface.low_pass(t, std::move(x));
-        for (std::size_t k = 0; k < together; ++k)
-            for (std::size_t i = 0; i < e.size(); ++i)
-                e[i] += normals[i][axis(k)] * (mesh.positions[i][axis(k)] - centroid[axis(k)] - x[k][i]);
-    }
-    return e;
+    const std::size_t count = mesh.positions.size();
+    std::vector<std::vector<double>> x(3, std::vector<double>(count));
+    for_each_vertex(count, [&](std::size_t i) {
+        const Vec3 p = mesh.positions[i] - centroid;
+        for (std::size_t k = 0; k < 3; ++k)
+            x[k][i] = p[static_cast<Eigen::Index>(k)];
+    });
+    x = surface.low_pass(t, std::move(x), residual_tolerance);
+    for_each_vertex(count, [&](std::size_t i) {
+        const Vec3 smooth(x[0][i], x[1][i], x[2][i]);
+        x[0][i] = normals[i].dot(mesh.positions[i] - centroid - smooth);
+    });
+    return std::move(x[0]);
 }
 
 /// The low pass of one vector, which is not copied.
@@ -66,12 +77,10 @@ std::vector<double> low_pass_of(const detect::SurfaceFilter& surface, double t, 
 
 /// Root of the local mean of the squares.
 std::vector<double> local_rms(std::vector<double> x, const detect::SurfaceFilter& surface, double t) {
-    for (double& value : x)
-        value *= value;
-    std::vector<double> result = low_pass_of(surface, t, std::move(x), spread_tolerance);
-    for (double& value : result)
-        value = std::sqrt(std::max(value, 0.0));
-    return result;
+    for_each_vertex(x.size(), [&](std::size_t i) { x[i] *= x[i]; });
+    x = low_pass_of(surface, t, std::move(x), spread_tolerance);
+    for_each_vertex(x.size(), [&](std::size_t i) { x[i] = std::sqrt(std::max(x[i], 0.0)); });
+    return x;
 }
 
 } // namespace
@@ -82,25 +91,26 @@ Carriers::Carriers(const TriangleMesh& mesh, const Frame& frame, const MaskOptio
       mask_(
           local_rms(normal_residual(mesh, frame.centroid, normals_, surface_, diffusion(options.residual_t)),
                     surface_, diffusion(options.spread_t))) {
-    for (std::size_t i = 0; i < visibility_.size(); ++i)
+    for_each_vertex(visibility_.size(), [&](std::size_t i) {
         visibility_[i] =
             static_cast<float>(normals_[i].dot((mesh.positions[i] - frame.centroid).normalized()));
+    });
     const double typical =
         std::max(typical_value(mask_, normals_), options_.least_typical * area_rms(mask_, surface_.mass()));
-    for (std::size_t i = 0; i < mask_.size(); ++i)
+    for_each_vertex(mask_.size(), [&](std::size_t i) {
         mask_[i] = normals_[i] != Vec3::Zero() ? (typical > 0 ? mask_[i] / typical : 0) + options_.floor : 0;
+    });
     limit();
 }
 
 void Carriers::limit() {
     const double most = options_.most * area_rms(mask_, surface_.mass());
-    for (double& value : mask_)
-        value = std::min(value, most);
+    for_each_vertex(mask_.size(), [&](std::size_t i) { mask_[i] = std::min(mask_[i], most); });
 }
 
 std::vector<double> Carriers::bumps(std::vector<double> heights) const {
-    for (std::size_t i = 0; i < heights.size(); ++i)
-        heights[i] *= static_cast<double>(visibility_[i]);
+    for_each_vertex(heights.size(),
+                    [&](std::size_t i) { heights[i] *= static_cast<double>(visibility_[i]); });
     return heights;
 }
 
@@ -108,14 +118,12 @@ std::vector<double> Carriers::bumps(const sphere::SparseRows& rows, std::span<co
     return bumps(sphere::multiply(rows, w));
 }
 
-std::vector<double> Carriers::smooth(std::vector<double> bumps) const {
-    return low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps),
-                       detect::SurfaceFilter::usual_tolerance);
+std::vector<double> Carriers::smooth(std::vector<double> bumps, double tolerance) const {
+    return low_pass_of(surface_, diffusion(options_.carrier_t), std::move(bumps), tolerance);
 }
 
 std::vector<double> Carriers::masked(std::vector<double> smooth) const {
-    for (std::size_t i = 0; i < smooth.size(); ++i)
-        smooth[i] *= mask_[i];
+    for_each_vertex(smooth.size(), [&](std::size_t i) { smooth[i] *= mask_[i]; });
     return smooth;
 }
 
@@ -134,10 +142,10 @@ void Carriers::equalize(std::span<const Index> vertices, std::span<const double>
         spread[1][vertices[i]] = 1;
     }
     spread = surface_.low_pass(diffusion(options_.spread_t), std::move(spread), spread_tolerance);
-    for (std::size_t i = 0; i < mask_.size(); ++i) {
+    for_each_vertex(mask_.size(), [&](std::size_t i) {
         const double around = spread[1][i] > nowhere ? spread[0][i] / spread[1][i] : target;
         mask_[i] *= std::clamp(std::sqrt(target / std::max(around, least_seen * target)), weakest, strongest);
-    }
+    });
     limit();
 }
 

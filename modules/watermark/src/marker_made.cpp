@@ -13,6 +13,9 @@ namespace wm3d::watermark {
 
 namespace {
 
+/// Of the solver of a trial mark's carriers.
+constexpr double trial_tolerance = 1e-3;
+
 /// Trial marks of the masks: a family that no key and no trial draws from.
 constexpr std::uint64_t mask_family = 0x6d61736b;
 
@@ -72,7 +75,8 @@ Marker::Carried Marker::fresh_carriers(unsigned level) const {
 void Marker::weigh(Carried& carried, unsigned level) const {
     masking::Carriers& carriers = carried.carriers;
     const std::vector<double> moves = carriers.carry(
-        bumps(carried, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)));
+        bumps(carried, level, key::watermark_sequence(key::null_secret(mask_family, 0), level, 0.1)),
+        trial_tolerance);
     const double rms = percent_of_diagonal(carriers.rms(moves));
     if (!(rms > 0))
         return;

@@ -43,10 +43,15 @@ public:
     std::vector<double> moves(const sphere::SparseRows& rows, std::span<const double> w) const;
 
     /// The moves that bumps along the normals, #V, become.
-    std::vector<double> carry(std::vector<double> bumps) const { return masked(smooth(std::move(bumps))); }
+    std::vector<double> carry(std::vector<double> bumps,
+                              double tolerance = detect::SurfaceFilter::usual_tolerance) const {
+        return masked(smooth(std::move(bumps), tolerance));
+    }
 
     /// (M + tL)^-1 M of bumps, #V, which doesn't depend on the mask.
-    std::vector<double> smooth(std::vector<double> bumps) const;
+    /// \param tolerance  residual of the solver, relative to the right-hand side
+    std::vector<double> smooth(std::vector<double> bumps,
+                               double tolerance = detect::SurfaceFilter::usual_tolerance) const;
 
     /// What the mask leaves of smooth bumps, #V.
     std::vector<double> masked(std::vector<double> smooth) const;
