@@ -15,8 +15,13 @@ constexpr double nothing_dense = 1e-6;
 
 } // namespace
 
+/// Which windows count, and about how much is seen: some hundredths more than all vertices show.
+metrics::Msdm2Sample Budget::dense_glance(const std::vector<Vec3>& positions) const {
+    return patches_->sample(positions, options_.dense_windows, options_.dense_vertices);
+}
+
 double Budget::visible_dense(const std::vector<Vec3>& positions) const {
-    const metrics::Msdm2Sample seen = glance(positions, options_.dense_windows);
+    const metrics::Msdm2Sample seen = dense_glance(positions);
     return seen.mean > nothing_dense ? followed(positions, WeightyWindows(seen, options_.rough_windows))
                                      : seen.mean;
 }
@@ -26,7 +31,7 @@ Fit Budget::fit_dense(const MarkOfStrength& mark, double budget, double guess) c
     Fit fit{guess};
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const double glanced_at = fit.strength;
-        const metrics::Msdm2Sample glance = this->glance(mark(glanced_at), options_.dense_windows);
+        const metrics::Msdm2Sample glance = dense_glance(mark(glanced_at));
         if (!(glance.mean > nothing_dense))
             return {0, 0, fit.evaluations + 1};
         const WeightyWindows weighty(glance, options_.rough_windows);

@@ -185,7 +185,7 @@ TEST_CASE("the budget of a dense mesh is kept to by glances and a look at few wi
     BudgetOptions options;
     options.most_windows = options.most_jumpy = options.most_whole = 10'000;
     options.dense_windows = 4'000;
-    options.glance_vertices = 10;
+    options.glance_vertices = options.dense_vertices = 10;
     const Budget dense(host.mesh, options);
     const Budget whole(host.mesh);
     const double guess = 0.03;

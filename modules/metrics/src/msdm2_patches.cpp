@@ -37,9 +37,9 @@ constexpr double many_triangles = 131072;
 /// Windows from which on wide patches take less work than narrow ones.
 constexpr std::size_t many_windows = 2000;
 
-/// Where so few vertices stand for all, balls are many edges wide: the reference's curvature at the corners of a triangle
-/// is that at the vertex which is matched with it.
-constexpr std::size_t fine_stride = 8;
+/// Where one of so many vertices stands for all, windows are many edges wide: the reference's curvature at the corners of
+/// a triangle is that at the vertex which is matched with it.
+constexpr std::size_t fine_stride = 2;
 
 /// What a patch has around its windows, in their radii, besides curvatures' balls and edges across the rim: triangles
 /// that moved vertices lie closest to.

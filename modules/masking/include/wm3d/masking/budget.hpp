@@ -47,9 +47,10 @@ struct BudgetOptions {
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
     std::size_t most_whole = 200'000;
     std::size_t mask_patch_windows = 9'000; ///< of such a mesh, in place of `mask_windows`
-    std::size_t dense_windows = 6'000;      ///< of such a mesh, in a glance at a mark
+    std::size_t dense_windows = 6'000;      ///< of such a mesh, in a glance that tells which windows count
+    std::size_t dense_vertices = 64;        ///< of a window, in that glance
     std::size_t few_windows = 128;          ///< of such a mesh, in a first glance at a trial mark
-    std::size_t glance_vertices = 128;      ///< of a window of such a mesh, in a glance
+    std::size_t glance_vertices = 128;      ///< of a window of such a mesh, in other glances
     std::size_t followed_part =
         4; ///< one in so many of the windows that tell what is seen tells how that grows
     double sampling_margin = 0.005; ///< part of the budget that is left where not all are opened
@@ -104,6 +105,7 @@ private:
 
     metrics::Msdm2Sample look(const std::vector<Vec3>& positions, std::size_t windows) const;
     metrics::Msdm2Sample glance(const std::vector<Vec3>& positions, std::size_t windows) const;
+    metrics::Msdm2Sample dense_glance(const std::vector<Vec3>& positions) const;
     metrics::Msdm2Sample look_at(std::vector<Vec3> positions, std::vector<Index> vertices) const;
     double exactly(const std::vector<Vec3>& positions) const;
     metrics::Msdm2Sample look_closely(const std::vector<Vec3>& positions) const;
