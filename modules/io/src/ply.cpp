@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PLY: text and binary bodies are walked by the same code over two kinds of cursor.
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include <fmt/format.h>
+
+#include <wm3d/core/parallel.hpp>
 
 #include "document.hpp"
 #include "normals.hpp"
@@ -57,6 +61,8 @@ public:
         store_->add(offsets);
         return position;
     }
+    /// Text is read number by number.
+    std::vector<Triangle> plain_triangles(const PlyElement&, std::size_t) { return {}; }
     [[noreturn]] void fail(std::string_view what) const { scan_.source().fail_in_line(scan_.offset(), what); }
     std::unique_ptr<CoordinateStore> take_store() { return std::move(store_); }
 
@@ -117,6 +123,7 @@ public:
         at_ += coordinates_size_;
         return position;
     }
+    std::vector<Triangle> plain_triangles(const PlyElement& faces, std::size_t vertices);
     [[noreturn]] void fail(std::string_view what) const { source_.fail_at_byte(at_, what); }
     std::unique_ptr<CoordinateStore> take_store() { return std::move(store_); }
 
@@ -129,6 +136,38 @@ private:
     std::size_t coordinates_size_ = 0;
     std::unique_ptr<BinaryStore> store_;
 };
+
+/// All faces at once where each is a byte that says 3 and three numbers of vertices, as nearly always; nothing, and
+/// nothing is read, where they are not: then they are read one by one, and what is wrong with one is told.
+std::vector<Triangle> BinaryBody::plain_triangles(const PlyElement& faces, std::size_t vertices) {
+    constexpr std::size_t corners = 3, block = 16384;
+    if (faces.properties.size() != 1)
+        return {};
+    const PlyProperty& list = faces.properties.front();
+    const std::size_t number = size_of(list.type), record = 1 + corners * number;
+    if (size_of(*list.count_type) != 1 || faces.count > (source_.bytes.size() - at_) / record)
+        return {};
+    std::vector<Triangle> triangles(faces.count);
+    std::atomic<bool> plain = true;
+    parallel_blocks(faces.count, block, [&](std::size_t begin, std::size_t end) {
+        const auto most = static_cast<double>(vertices);
+        for (std::size_t f = begin; f < end && plain; ++f) {
+            const char* at = source_.bytes.data() + at_ + f * record;
+            bool fits = *at == corners;
+            for (std::size_t k = 0; k < corners; ++k) {
+                const double corner = load(at + 1 + k * number, list.type, swap_);
+                fits = fits && corner >= 0 && corner < most;
+                triangles[f][k] = fits ? static_cast<Index>(corner) : 0;
+            }
+            if (!fits)
+                plain = false;
+        }
+    });
+    if (!plain)
+        return {};
+    at_ += faces.count * record;
+    return triangles;
+}
 
 template<typename Body>
 void skip_property(Body& body, const PlyProperty& property) {
@@ -170,9 +209,15 @@ void read_indices(Body& body, const PlyProperty& property, std::size_t vertices,
     }
 }
 
+/// \param plain  triangles that come before `faces`
 template<typename Body>
 void read_faces(Body& body, const PlyElement& element, std::size_t list, std::size_t vertices,
-                Polygons& faces) {
+                std::vector<Triangle>& plain, Polygons& faces) {
+    if (plain.empty() && faces.size() == 0) {
+        plain = body.plain_triangles(element, vertices);
+        if (!plain.empty())
+            return;
+    }
     for (std::size_t i = 0; i < element.count; ++i)
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
             if (p == list) {
@@ -278,7 +323,7 @@ Document read_body(const Source& source, const PlyHeader& header, const PlyEleme
     Body body(source, header, vertex, xyz);
     Document document;
     Polygons faces;
-    std::vector<Triangle> from_strips;
+    std::vector<Triangle> plain, from_strips;
     for (const PlyElement& element : header.elements) {
         const auto list = index_list(element);
         if (list && !is_integer(element.properties[*list].type))
@@ -287,7 +332,7 @@ Document read_body(const Source& source, const PlyHeader& header, const PlyEleme
         if (&element == &vertex)
             read_vertices(body, element, xyz, document);
         else if (element.name == "face" && list)
-            read_faces(body, element, *list, vertex.count, faces);
+            read_faces(body, element, *list, vertex.count, plain, faces);
         else if (element.name == "tristrips" && list)
             read_strips(body, element, *list, vertex.count, from_strips);
         else if (!element.properties.empty())
@@ -295,7 +340,9 @@ Document read_body(const Source& source, const PlyHeader& header, const PlyEleme
                 for (const PlyProperty& property : element.properties)
                     skip_property(body, property);
     }
-    document.triangles = triangulate(document.positions, faces);
+    document.triangles = std::move(plain);
+    const std::vector<Triangle> cut = triangulate(document.positions, faces);
+    document.triangles.insert(document.triangles.end(), cut.begin(), cut.end());
     document.triangles.insert(document.triangles.end(), from_strips.begin(), from_strips.end());
     document.store = body.take_store();
     return document;

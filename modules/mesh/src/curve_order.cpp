@@ -13,6 +13,8 @@ namespace wm3d {
 
 namespace {
 
+constexpr std::size_t renumbered_block = 16384; ///< of vertices or triangles
+
 constexpr double cells = 1u << morton_bits; // along each axis
 
 /// Spreads the low 11 bits of x to every third bit.
@@ -49,12 +51,18 @@ std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
 /// The triangles by their least corner, those of one in the order in which they come.
 std::vector<Triangle> by_least_corner(const std::vector<Triangle>& triangles, std::size_t vertices) {
     std::vector<std::size_t> next(vertices + 1, 0);
-    for (const Triangle& t : triangles)
-        ++next[std::ranges::min(t) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<Triangle> sorted(triangles.size());
-    for (const Triangle& t : triangles)
-        sorted[next[std::ranges::min(t)]++] = t;
+    // Each half of the vertices has its places to itself.
+    const auto for_halves = [&](auto&& act) {
+        parallel_blocks(vertices, vertices / 2 + 1, [&](std::size_t begin, std::size_t end) {
+            for (const Triangle& t : triangles)
+                if (const Index least = std::ranges::min(t); least >= begin && least < end)
+                    act(t, least);
+        });
+    };
+    for_halves([&](const Triangle&, Index least) { ++next[least + 1]; });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    for_halves([&](const Triangle& t, Index least) { sorted[next[least]++] = t; });
     return sorted;
 }
 
@@ -72,15 +80,19 @@ std::uint64_t morton_code(const Vec3& unit) {
 Reordered along_curve(const TriangleMesh& mesh) {
     Reordered result{{}, vertices_along_curve(mesh)};
     std::vector<Index> number(result.original.size());
-    result.mesh.positions.reserve(number.size());
-    for (Index i = 0; i < number.size(); ++i) {
-        number[result.original[i]] = i;
-        result.mesh.positions.push_back(mesh.positions[result.original[i]]);
-    }
-    std::vector<Triangle> renumbered = mesh.triangles;
-    for (Triangle& t : renumbered)
-        for (Index& v : t)
-            v = number[v];
+    result.mesh.positions.resize(number.size());
+    parallel_blocks(number.size(), renumbered_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            number[result.original[i]] = static_cast<Index>(i);
+            result.mesh.positions[i] = mesh.positions[result.original[i]];
+        }
+    });
+    std::vector<Triangle> renumbered(mesh.triangles.size());
+    parallel_blocks(renumbered.size(), renumbered_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            for (std::size_t k = 0; k < 3; ++k)
+                renumbered[f][k] = number[mesh.triangles[f][k]];
+    });
     result.mesh.triangles = by_least_corner(renumbered, number.size());
     return result;
 }

@@ -9,11 +9,14 @@
 #include <utility>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/core/split_mix.hpp>
 
 namespace wm3d {
 
 namespace {
+
+constexpr std::size_t triangle_block = 16384;
 
 constexpr std::uint64_t hash(const std::array<std::uint64_t, 3>& words) {
     std::uint64_t h = split_mix_step;
@@ -36,8 +39,18 @@ std::optional<std::vector<Index>> first_equal_by_hash(std::span<const Vec3> posi
     std::size_t patience = 1000 + 16 * positions.size();
     std::vector<Index> table(mask + 1, no_index);
     std::vector<Index> first(positions.size());
+    constexpr std::size_t ahead = 16; // points whose slots are on their way from memory
+    std::array<std::size_t, ahead> slots{};
+    const auto fetch = [&](std::size_t i) {
+        slots[i % ahead] = hash(words_of(positions[i])) & mask;
+        __builtin_prefetch(&table[slots[i % ahead]], 1);
+    };
+    for (std::size_t i = 0; i < std::min(ahead, positions.size()); ++i)
+        fetch(i);
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        std::size_t slot = hash(words_of(positions[i])) & mask;
+        std::size_t slot = slots[i % ahead];
+        if (i + ahead < positions.size())
+            fetch(i + ahead);
         while (table[slot] != no_index && positions[table[slot]] != positions[i]) {
             if (patience-- == 0)
                 return std::nullopt;
@@ -93,9 +106,11 @@ Welded weld(std::vector<Vec3>&& positions, std::vector<Triangle>&& triangles) {
         }
     }
     places.resize(count);
-    for (Triangle& t : welded.mesh.triangles)
-        for (Index& v : t)
-            v = welded.vertex_of[v];
+    parallel_blocks(welded.mesh.triangles.size(), triangle_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f)
+            for (Index& v : welded.mesh.triangles[f])
+                v = welded.vertex_of[v];
+    });
     std::erase_if(welded.mesh.triangles,
                   [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
     return welded;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/embed/turned_faces.hpp>
 #include <wm3d/key/stream.hpp>
 #include <wm3d/mesh/measure.hpp>
@@ -61,8 +62,11 @@ std::vector<Vec3> Marker::in_given_order(const std::vector<Vec3>& positions) con
     if (sorted_.original.empty())
         return positions;
     std::vector<Vec3> given(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        given[sorted_.original[i]] = positions[i];
+    constexpr std::size_t block = 16384;
+    parallel_blocks(positions.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            given[sorted_.original[i]] = positions[i];
+    });
     return given;
 }
 
