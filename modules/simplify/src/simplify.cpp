@@ -111,7 +111,11 @@ bool is_dense(const Canonical& mesh, const Options& options) {
 /// \param may_thin  collapses needn't come in the order of their costs over all of the mesh
 Workplace prepare(const TriangleMesh& mesh, const Options& options, bool may_thin) {
     Canonical input = canonical_order(mesh);
-    const Thinning thinned = may_thin && is_dense(input, options) ? thin(input, options) : Thinning{};
+    Thinning thinned;
+    if (may_thin && is_dense(input, options)) {
+        thinned = thin(input, options);
+        thin_further(input, options, thinned);
+    }
     const std::size_t faces = input.triangles.size();
     Surface surface = build_surface(std::exchange(input.triangles, {}), input.positions);
     Sites sites = build_sites(surface, std::move(input.positions), options);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
 #include <wm3d/core/memory.hpp>
 #include <wm3d/core/parallel.hpp>
@@ -18,7 +19,16 @@ namespace wm3d::simplify {
 
 namespace {
 
-constexpr double by_number = 2, by_need = 4; ///< times its share of the target, what a block keeps
+/// Times its share of the target, by number or by need if that is more, what a block keeps.
+struct Share {
+    double by_number, by_need;
+};
+
+/// Of small blocks, each of which fits a cache; and of the few large ones of what is left, which leave little to be done in
+/// one thread.
+constexpr Share of_small{2, 4}, of_large{1.2, 1.6};
+constexpr std::size_t large_blocks = 4;
+
 constexpr Triangle gone{no_index, no_index, no_index};
 
 /// A block of vertices and all triangles that touch it.
@@ -112,21 +122,35 @@ struct ThinnedBlock {
     double largest_error = 0;
 };
 
+/// Those of a block's vertices, of all in ascending order.
+std::span<const Standing> standing_in(const Block& block, std::span<const Standing> all) {
+    const auto begin = std::ranges::lower_bound(all, block.begin, {}, &Standing::vertex);
+    return {begin, std::ranges::lower_bound(begin, all.end(), block.end, {}, &Standing::vertex)};
+}
+
 /// Thins a block down to a share of those of its vertices that may go, or as far as that goes, and writes its own
 /// triangles anew; those that reach into other blocks, and that other blocks read, stay as they are.
-ThinnedBlock thin_block(const Block& block, double share, Canonical& mesh, const Options& options) {
+/// \param standing  what the block's vertices stand for already
+ThinnedBlock thin_block(const Block& block, double share, std::span<const Standing> standing, Canonical& mesh,
+                        const Options& options) {
     const std::size_t inside = block.end - block.begin;
     ThinnedBlock result;
     Piece piece = piece_of(block, mesh);
     std::optional<Rings> rings = rings_of_manifold(piece.triangles, piece.positions.size(), inside);
     const auto free = static_cast<double>(std::ranges::count(piece.locked, false));
     const auto to_remove = static_cast<std::size_t>(free * std::max(0.0, 1 - share));
-    if (!rings || to_remove == 0)
+    if (!rings || to_remove == 0) {
+        result.standing.assign(standing.begin(), standing.end());
         return result;
+    }
     std::vector<Index> source(piece.positions.size());
     std::iota(source.begin(), source.end(), Index{0});
     Surface surface{std::move(*rings), std::move(source), std::move(piece.locked)};
     Sites sites = build_sites(surface, std::move(piece.positions), options);
+    for (const Standing& s : standing) {
+        sites.quadric[s.vertex - block.begin] = s.quadric;
+        sites.site[s.vertex - block.begin].constant = s.constant;
+    }
     Decimator decimator(surface.rings, sites, options, nullptr);
     decimator.remove(to_remove, {});
     result.largest_error = decimator.largest_error();
@@ -170,10 +194,10 @@ std::vector<Index> compact(Canonical& mesh, const std::vector<char>& removed) {
     return number;
 }
 
-} // namespace
-
-Thinning thin(Canonical& input, const Options& options, std::size_t block) {
-    std::vector<Block> blocks = blocks_of(input, block);
+/// Thins all blocks of a size.
+void thin_blocks(Canonical& input, const Options& options, std::size_t size, const Share& share,
+                 Thinning& thinning) {
+    std::vector<Block> blocks = blocks_of(input, size);
     parallel_tasks(blocks.size(), [&](std::size_t b) { blocks[b].need = need_of(blocks[b], input); });
     double need = 0;
     for (const Block& each : blocks)
@@ -185,26 +209,39 @@ Thinning thin(Canonical& input, const Options& options, std::size_t block) {
         const Block& each = blocks[b];
         const double needed =
             need > 0 ? target * each.need / need / static_cast<double>(each.end - each.begin) : 0;
-        thinned[b] = thin_block(each, std::max(by_number * number, by_need * needed), input, options);
+        thinned[b] = thin_block(each, std::max(share.by_number * number, share.by_need * needed),
+                                standing_in(each, thinning.standing), input, options);
     });
 
     std::vector<Block>().swap(blocks);
     return_freed_memory(); // of the pieces
     std::vector<char> removed(input.positions.size(), 0);
-    Thinning result;
     for (const ThinnedBlock& each : thinned) {
         for (const Index v : each.removed)
             removed[v] = 1;
-        result.removed += each.removed.size();
-        result.largest_error = std::max(result.largest_error, each.largest_error);
+        thinning.removed += each.removed.size();
+        thinning.largest_error = std::max(thinning.largest_error, each.largest_error);
     }
     const std::vector<Index> now = compact(input, removed);
+    thinning.standing.clear();
     for (ThinnedBlock& each : thinned)
         for (Standing& standing : each.standing) {
             standing.vertex = now[standing.vertex];
-            result.standing.push_back(standing);
+            thinning.standing.push_back(standing);
         }
-    return result;
+}
+
+} // namespace
+
+Thinning thin(Canonical& input, const Options& options, std::size_t block) {
+    Thinning thinning;
+    thin_blocks(input, options, block, of_small, thinning);
+    return thinning;
+}
+
+void thin_further(Canonical& input, const Options& options, Thinning& thinning) {
+    const std::size_t block = (input.positions.size() + large_blocks - 1) / large_blocks;
+    thin_blocks(input, options, block, of_large, thinning);
 }
 
 } // namespace wm3d::simplify

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../src/thinning.hpp"
 
+#include <algorithm>
+
 #include <doctest/doctest.h>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
@@ -46,6 +48,24 @@ TEST_CASE("thinning keeps the topology, and enough vertices for the target") {
         CHECK(after.closed());
         CHECK(euler(sparse, after) == euler(mesh, before));
     }
+}
+
+TEST_CASE("large blocks leave little more than the target, and stand for all that went") {
+    const TriangleMesh mesh = shapes::blob(60000, 3);
+    const Options options{.target_vertices = 2000};
+    Canonical input = canonical_order(mesh);
+    Thinning what = thin(input, options, small_block);
+    const std::size_t before = input.positions.size();
+    thin_further(input, options, what);
+    CHECK(input.positions.size() + what.removed == mesh.positions.size());
+    CHECK(input.positions.size() < before * 3 / 4);
+    CHECK(input.positions.size() > options.target_vertices);
+    CHECK(std::ranges::is_sorted(what.standing, {}, &Standing::vertex));
+    CHECK(what.standing.size() > input.positions.size() / 2); // but of small blocks that stayed as they were
+    CHECK(what.standing.back().vertex < input.positions.size());
+    const Topology after = inspect_topology({input.positions, input.triangles});
+    CHECK(after.components == 1);
+    CHECK(after.closed());
 }
 
 TEST_CASE("blocks where the surface turns most keep most") {
