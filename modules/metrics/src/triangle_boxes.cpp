@@ -137,14 +137,6 @@ NearestTriangle TriangleBoxes::nearest(const Vec3& query, NearestTriangle known)
     return search(query, known, [](Index) { return true; });
 }
 
-namespace {
-
-bool has_corner(const Triangle& t, Index vertex) {
-    return t[0] == vertex || t[1] == vertex || t[2] == vertex;
-}
-
-} // namespace
-
 /// Triangles of the leaves whose boxes meet another box, or the first of them where they are more than `most`.
 std::vector<Index> TriangleBoxes::meeting(const Box& box, std::size_t most) const {
     std::vector<Index> found;

@@ -13,6 +13,10 @@
 
 namespace wm3d::metrics {
 
+inline bool has_corner(const Triangle& t, Index vertex) {
+    return t[0] == vertex || t[1] == vertex || t[2] == vertex;
+}
+
 /// Three corners of a triangle and the number that the caller knows it by.
 struct NumberedTriangle {
     Vec3 a, b, c;

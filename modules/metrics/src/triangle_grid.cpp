@@ -20,10 +20,6 @@ constexpr std::size_t most_cells = 64;       ///< that one search looks into
 /// More than rounding moves a coordinate of at most `farthest`, and parts of a square.
 constexpr float slack = 1e-6F, farthest = 4;
 
-bool is_corner(const Triangle& t, Index vertex) {
-    return t[0] == vertex || t[1] == vertex || t[2] == vertex;
-}
-
 } // namespace
 
 std::size_t TriangleGrid::Cells::count() const {
@@ -161,7 +157,7 @@ float TriangleGrid::clearance(Index vertex, float most) const {
     const Corner at = corner(mesh_->positions[vertex]);
     float least = most;
     for_each(cells_around(at, most), [&](Index f) {
-        if (balls_[f].meets(at, least) && !is_corner(mesh_->triangles[f], vertex))
+        if (balls_[f].meets(at, least) && !has_corner(mesh_->triangles[f], vertex))
             least = std::min(least, balls_[f].clearance(at));
     });
     return std::max(0.0F, least - slack);
@@ -200,7 +196,7 @@ std::optional<Index> TriangleGrid::nearest(const Vec3& query, Index vertex,
     };
     float within = bound();
     for_each(cells, [&](Index f) {
-        if (!balls_[f].meets(at, within) || is_corner(mesh_->triangles[f], vertex))
+        if (!balls_[f].meets(at, within) || has_corner(mesh_->triangles[f], vertex))
             return;
         improve(known, query, f);
         within = bound();
