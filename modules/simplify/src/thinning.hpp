@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "canonical.hpp"
 #include "quadric.hpp"
+#include "sites.hpp"
 
 namespace wm3d::simplify {
 
@@ -18,6 +20,10 @@ struct Standing {
     Quadric quadric;
     double constant; ///< of the quadric at the vertex
 };
+
+/// Sites begin with what their vertices stand for.
+/// \param first  vertex of the first site
+void inherit(Sites& sites, std::span<const Standing> standing, std::size_t first = 0);
 
 /// What thinning did.
 struct Thinning {
