@@ -44,28 +44,19 @@ struct Incidence {
 
     explicit Incidence(const TriangleMesh& mesh)
         : start(mesh.positions.size() + 1, 0), triangle(3 * mesh.triangles.size()) {
-        for_halves(mesh, [&](Index v, Index) { ++start[v + 1]; });
+        for (const Triangle& t : mesh.triangles)
+            for (Index v : t)
+                ++start[v + 1];
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             start[v + 1] += start[v];
         std::vector<Index> next(start.begin(), start.end() - 1);
-        for_halves(mesh, [&](Index v, Index f) { triangle[next[v]++] = f; });
+        for (Index f = 0; f < mesh.triangles.size(); ++f)
+            for (Index v : mesh.triangles[f])
+                triangle[next[v]++] = f;
     }
 
     std::span<const Index> at(std::size_t v) const {
         return {triangle.data() + start[v], start[v + 1] - start[v]};
-    }
-
-private:
-    /// All corners with their triangles; each half of the vertices has its places to itself.
-    template<typename Act>
-    static void for_halves(const TriangleMesh& mesh, Act&& act) {
-        const std::size_t count = mesh.positions.size();
-        parallel_blocks(count, count / 2 + 1, [&](std::size_t begin, std::size_t end) {
-            for (Index f = 0; f < mesh.triangles.size(); ++f)
-                for (const Index v : mesh.triangles[f])
-                    if (v >= begin && v < end)
-                        act(v, f);
-        });
     }
 };
 

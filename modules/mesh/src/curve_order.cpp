@@ -51,18 +51,12 @@ std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
 /// The triangles by their least corner, those of one in the order in which they come.
 std::vector<Triangle> by_least_corner(const std::vector<Triangle>& triangles, std::size_t vertices) {
     std::vector<std::size_t> next(vertices + 1, 0);
-    std::vector<Triangle> sorted(triangles.size());
-    // Each half of the vertices has its places to itself.
-    const auto for_halves = [&](auto&& act) {
-        parallel_blocks(vertices, vertices / 2 + 1, [&](std::size_t begin, std::size_t end) {
-            for (const Triangle& t : triangles)
-                if (const Index least = std::ranges::min(t); least >= begin && least < end)
-                    act(t, least);
-        });
-    };
-    for_halves([&](const Triangle&, Index least) { ++next[least + 1]; });
+    for (const Triangle& t : triangles)
+        ++next[std::ranges::min(t) + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
-    for_halves([&](const Triangle& t, Index least) { sorted[next[least]++] = t; });
+    std::vector<Triangle> sorted(triangles.size());
+    for (const Triangle& t : triangles)
+        sorted[next[std::ranges::min(t)]++] = t;
     return sorted;
 }
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/mesh/measure.hpp>
 
-#include <algorithm>
-
 #include <wm3d/core/parallel.hpp>
 
 namespace wm3d {
@@ -14,17 +12,6 @@ constexpr std::size_t measure_block = 16384;
 void extend(Box& box, const Vec3& p) {
     box.min = box.min.cwiseMin(p);
     box.max = box.max.cwiseMax(p);
-}
-
-/// Calls act(has) for all vertices, or at once for the two halves of many: what it adds up at the vertices that
-/// has(v) tells is added in the same order either way.
-template<typename Act>
-void for_parts(std::size_t vertices, Act&& act) {
-    constexpr std::size_t many = 200'000;
-    parallel_blocks(vertices, vertices < many ? many : vertices / 2 + 1,
-                    [&](std::size_t begin, std::size_t end) {
-                        act([begin, end](Index v) { return v >= begin && v < end; });
-                    });
 }
 
 } // namespace
@@ -67,32 +54,22 @@ std::vector<double> triangle_areas(const TriangleMesh& mesh) {
 std::vector<double> vertex_areas(const TriangleMesh& mesh) {
     const std::vector<double> of_triangle = triangle_areas(mesh);
     std::vector<double> areas(mesh.positions.size(), 0.0);
-    for_parts(areas.size(), [&](const auto& has) {
-        for (std::size_t f = 0; f < of_triangle.size(); ++f)
-            for (const Index v : mesh.triangles[f])
-                if (has(v))
-                    areas[v] += of_triangle[f] / 3;
-    });
+    for (std::size_t f = 0; f < of_triangle.size(); ++f)
+        for (Index v : mesh.triangles[f])
+            areas[v] += of_triangle[f] / 3;
     return areas;
 }
 
 std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
-    for_parts(normals.size(), [&](const auto& has) {
-        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-            if (std::ranges::none_of(mesh.triangles[f], has))
-                continue;
-            const Vec3 weighted = area_vector(mesh, f);
-            for (const Index v : mesh.triangles[f])
-                if (has(v))
-                    normals[v] += weighted;
-        }
-    });
-    parallel_blocks(normals.size(), measure_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v)
-            if (const double length = normals[v].norm(); length > 0)
-                normals[v] /= length;
-    });
+    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+        const Vec3 weighted = area_vector(mesh, f);
+        for (Index v : mesh.triangles[f])
+            normals[v] += weighted;
+    }
+    for (Vec3& n : normals)
+        if (const double length = n.norm(); length > 0)
+            n /= length;
     return normals;
 }
 
