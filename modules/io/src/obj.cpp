@@ -4,6 +4,7 @@
 // tinyobjloader reads the other statements, but where there are only faces of plain numbers: these the scan reads itself,
 // in a tenth of the time.
 #include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <exception>
 #include <istream>
@@ -139,14 +140,10 @@ void scan_vertex(TextScanner& scan, std::size_t line, Piece& piece) {
 
 /// Reads digits.
 /// \return  their number, or 0 where there are none or too many
-int scan_digits(const char*& at, const char* end) {
-    constexpr int most = 9;
-    int value = 0;
-    const char* const begin = at;
-    for (; at < end && *at >= '0' && *at <= '9'; ++at)
-        if (at - begin < most)
-            value = 10 * value + (*at - '0');
-    return at - begin <= most ? value : 0;
+unsigned scan_digits(const char*& at, const char* end) {
+    unsigned value = 0; // without a sign, which from_chars would take; stays where it fails
+    at = std::from_chars(at, end, value).ptr;
+    return value;
 }
 
 /// Adds the face of an `f` line, which the scanner stands in, if its corners are numbers counted from 1, which others may
@@ -162,7 +159,7 @@ bool scan_plain_face(TextScanner& scan, Piece& piece) {
             ++at;
         if (at == end || is_line_end(*at))
             break;
-        const int number = scan_digits(at, end);
+        const unsigned number = scan_digits(at, end);
         if (number == 0)
             return false;
         piece.add_corner(static_cast<Index>(number) - 1, line);

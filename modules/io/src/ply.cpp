@@ -303,6 +303,10 @@ CoordinateProperties find_coordinates(const Source& source, const PlyElement& ve
 }
 
 /// Refuses counts that the file is too short for, before anything is allocated.
+void append(std::vector<Triangle>& triangles, const std::vector<Triangle>& more) {
+    triangles.insert(triangles.end(), more.begin(), more.end());
+}
+
 template<typename Body>
 void check_counts(const Source& source, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
@@ -341,9 +345,11 @@ Document read_body(const Source& source, const PlyHeader& header, const PlyEleme
                     skip_property(body, property);
     }
     document.triangles = std::move(plain);
-    const std::vector<Triangle> cut = triangulate(document.positions, faces);
-    document.triangles.insert(document.triangles.end(), cut.begin(), cut.end());
-    document.triangles.insert(document.triangles.end(), from_strips.begin(), from_strips.end());
+    if (document.triangles.empty())
+        document.triangles = triangulate(document.positions, faces);
+    else if (faces.size() > 0)
+        append(document.triangles, triangulate(document.positions, faces));
+    append(document.triangles, from_strips);
     document.store = body.take_store();
     return document;
 }
