@@ -60,10 +60,9 @@ double longest_edge(const TriangleMesh& mesh) {
 void improve(NearestTriangle& best, const TriangleMesh& mesh, std::span<const Index> triangles,
              const Vec3& moved) {
     for (const Index f : triangles) {
-        const Triangle& t = mesh.triangles[f];
-        const NumberedTriangle numbered{mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], f};
-        if ((numbered.b - numbered.a).cross(numbered.c - numbered.a).squaredNorm() > 0)
-            best.improve(moved, numbered);
+        const NumberedTriangle t = numbered(mesh, f);
+        if ((t.b - t.a).cross(t.c - t.a).squaredNorm() > 0)
+            best.improve(moved, t);
     }
 }
 

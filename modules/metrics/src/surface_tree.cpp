@@ -61,7 +61,7 @@ ClosestPoint SurfaceTree::closest(const Vec3& query) const {
 ClosestPoint SurfaceTree::closest(const Vec3& query, Index near) const {
     NearestTriangle known;
     if (has_area(near))
-        known.improve(query, boxes().numbered(near));
+        known.improve(query, numbered(*mesh_, near));
     return on(boxes().nearest(query, known).triangle, query);
 }
 
@@ -76,7 +76,7 @@ ClosestPoint SurfaceTree::closest_of(std::span<const Index> triangles, const Vec
     NearestTriangle best;
     for (Index f : triangles)
         if (has_area(f))
-            best.improve(query, boxes().numbered(f));
+            best.improve(query, numbered(*mesh_, f));
     return on(best.triangle, query);
 }
 

@@ -54,13 +54,8 @@ TriangleBoxes::TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triang
     build(root(), centroids(mesh));
 }
 
-NumberedTriangle TriangleBoxes::numbered(Index triangle) const {
-    const Triangle& t = mesh_.triangles[triangle];
-    return {mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]], triangle};
-}
-
 TriangleBoxes::Box TriangleBoxes::box_of(Index triangle) const {
-    const NumberedTriangle t = numbered(triangle);
+    const NumberedTriangle t = numbered(mesh_, triangle);
     return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
 
@@ -119,7 +114,7 @@ NearestTriangle TriangleBoxes::search(const Vec3& query, NearestTriangle known, 
         if (is_leaf(branch)) {
             for (const Index f : triangles_of(branch))
                 if (wanted(f))
-                    known.improve(query, numbered(f));
+                    known.improve(query, numbered(mesh_, f));
             continue;
         }
         Pending near = pending(branch.left()), far = pending(branch.right());
@@ -171,7 +166,7 @@ double TriangleBoxes::clearance(Index vertex, std::span<const Boxed> triangles, 
     for (const auto& [box, f] : triangles) {
         if (!(box.squared_distance(p) < square) || has_corner(mesh_.triangles[f], vertex))
             continue;
-        const NumberedTriangle t = numbered(f);
+        const NumberedTriangle t = numbered(mesh_, f);
         square = std::min(square, squared_distance_to_triangle(p, t.a, t.b, t.c));
     }
     return std::sqrt(square);

@@ -23,6 +23,11 @@ struct NumberedTriangle {
     Index number;
 };
 
+inline NumberedTriangle numbered(const TriangleMesh& mesh, Index triangle) {
+    const Triangle& t = mesh.triangles[triangle];
+    return {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]], triangle};
+}
+
 /// A triangle and how far away it is.
 struct NearestTriangle {
     Index triangle = no_index;
@@ -48,9 +53,6 @@ public:
     /// Over some triangles of a mesh, which has to outlive the tree.
     /// \pre  triangles is not empty
     TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles);
-
-    /// Any triangle of the mesh, in the tree or not.
-    NumberedTriangle numbered(Index triangle) const;
 
     /// The triangle closest to the query, in the sense of `improve`. `known` is an answer that may be
     /// bettered: the closer it is, the shorter the search.

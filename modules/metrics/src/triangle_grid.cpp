@@ -175,8 +175,7 @@ std::vector<double> TriangleGrid::clearances(double most) const {
 }
 
 void TriangleGrid::improve(NearestTriangle& known, const Vec3& query, Index triangle) const {
-    const Triangle& t = mesh_->triangles[triangle];
-    known.improve(query, {mesh_->positions[t[0]], mesh_->positions[t[1]], mesh_->positions[t[2]], triangle});
+    known.improve(query, numbered(*mesh_, triangle));
 }
 
 std::optional<Index> TriangleGrid::nearest(const Vec3& query, Index vertex,
