@@ -110,7 +110,7 @@ struct Evidence::Core {
                                        std::span<const Smooth> smooth) const {
         const Filter& filter = options.filters[f];
         if (filter.hinges > 0)
-            return hinge_residual(*hinges, filter.hinges, filter.noise);
+            return hinge_residual(*hinges, geometries.front().positions, filter.hinges, filter.noise);
         const auto low = std::ranges::find_if(
             smooth, [&](const Smooth& s) { return s.geometry == geometry[f] && s.t == filter.t; });
         return diffusion_residual(base, geometries[geometry[f]], filter, options.variance_floor,

@@ -72,8 +72,9 @@ private:
 
 class HingeResidual : public Residual {
 public:
-    HingeResidual(const Hinges& hinges, double scale, double noise)
-        : hinges_(hinges), noise_(noise), square_(scale * scale), folds_(hinges.folds()) {
+    HingeResidual(const Hinges& hinges, std::span<const Vec3> positions, double scale, double noise)
+        : hinges_(hinges), positions_(positions), noise_(noise), square_(scale * scale),
+          folds_(hinges.folds()) {
         pulled_ = pull(folds_);
     }
 
@@ -93,7 +94,7 @@ public:
         std::vector<double> y = hinges_.folds_of(whitened(std::move(bumps), g));
         for (std::size_t h = 0; h < y.size(); ++h)
             y[h] *= g[h];
-        return hinges_.gradient(y);
+        return hinges_.gradient(positions_, y);
     }
 
 private:
@@ -117,14 +118,16 @@ private:
     }
 
     const Hinges& hinges_;
+    std::span<const Vec3> positions_;
     double noise_, square_;
     std::span<const double> folds_; ///< of the hinges as they are
 };
 
 } // namespace
 
-std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, double scale, double noise) {
-    return std::make_unique<HingeResidual>(hinges, scale, noise);
+std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, std::span<const Vec3> positions, double scale,
+                                         double noise) {
+    return std::make_unique<HingeResidual>(hinges, positions, scale, noise);
 }
 
 } // namespace wm3d::detect

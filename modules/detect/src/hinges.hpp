@@ -16,7 +16,7 @@ namespace wm3d::detect {
 /// Left out are edges without length, with triangles without area, and those folded back to 180 degrees.
 class Hinges {
 public:
-    /// \param normals  unit normals of the vertices, #V, along which moves are made; has to outlive it
+    /// \param normals  unit normals of the vertices, #V, along which moves are made
     Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals);
 
     std::size_t size() const { return ends_.size(); }
@@ -40,15 +40,13 @@ public:
     std::vector<double> squares(std::span<const double> g) const;
 
     /// The sum of y_h c_k n_h at each vertex, #V: how the sum of y_h r_h grows with its moves in any direction.
-    std::vector<Vec3> gradient(std::span<const double> y) const;
+    /// \param positions  those of the mesh
+    std::vector<Vec3> gradient(std::span<const Vec3> positions, std::span<const double> y) const;
 
 private:
-    void add(const TriangleMesh& mesh, const std::array<Index, 4>& vertices);
-
-    std::span<const Vec3> normals_;
+    std::size_t vertices_;
     std::vector<std::array<Index, 4>> ends_;
-    std::vector<std::array<double, 4>> c_, couplings_;
-    std::vector<Vec3> fold_normals_;
+    std::vector<std::array<double, 4>> couplings_;
     std::vector<double> folds_;
 };
 

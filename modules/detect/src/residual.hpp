@@ -50,8 +50,9 @@ std::unique_ptr<Residual> diffusion_residual(const TriangleMesh& base, const Geo
                                              const Filter& filter, double variance_floor,
                                              const std::vector<std::vector<double>>& smooth);
 
-/// Folds at the edges, by Cauchy's weights of this scale, whitened against this noise of the vertices. `hinges` has to
-/// outlive it.
-std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, double scale, double noise);
+/// Folds at the edges, by Cauchy's weights of this scale, whitened against this noise of the vertices. `hinges` and the
+/// positions of their mesh have to outlive it.
+std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, std::span<const Vec3> positions, double scale,
+                                         double noise);
 
 } // namespace wm3d::detect

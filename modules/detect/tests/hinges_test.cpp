@@ -80,7 +80,7 @@ TEST_CASE("what is pulled back is the transpose of what moves fold, and the grad
     const Hinges hinges(mesh, normals);
     const std::vector<double> q = some_numbers(mesh.positions.size()), y = some_numbers(hinges.size());
     CHECK(dot(hinges.folds_of(q), y) == doctest::Approx(dot(q, hinges.transposed(y))).epsilon(1e-12));
-    const std::vector<Vec3> gradient = hinges.gradient(y);
+    const std::vector<Vec3> gradient = hinges.gradient(mesh.positions, y);
     const std::vector<double> pulled = hinges.transposed(y);
     for (std::size_t i = 0; i < pulled.size(); ++i)
         CHECK(gradient[i].dot(normals[i]) == doctest::Approx(pulled[i]).epsilon(1e-9).scale(1));
@@ -152,7 +152,7 @@ TEST_CASE("whitened folds are (I + noise^2 J^T g J)^-1 J^T (g r)") {
         return hinges.transposed(folds);
     };
     const std::vector<double> right = weighted(r);
-    const auto residual = detect::hinge_residual(hinges, scale, noise);
+    const auto residual = detect::hinge_residual(hinges, mesh.positions, scale, noise);
     const std::vector<double> q(residual->pulled().begin(), residual->pulled().end());
     const std::vector<double> back = weighted(hinges.folds_of(q));
     std::vector<double> g(r.size());
@@ -167,7 +167,7 @@ TEST_CASE("whitened folds are (I + noise^2 J^T g J)^-1 J^T (g r)") {
     }
     CHECK(std::sqrt(error / size) < 1.01 * tolerance);
     // Without noise nothing is solved.
-    const auto plain = detect::hinge_residual(hinges, scale, 0);
+    const auto plain = detect::hinge_residual(hinges, mesh.positions, scale, 0);
     for (std::size_t i = 0; i < right.size(); ++i)
         CHECK(plain->pulled()[i] == doctest::Approx(right[i]).epsilon(1e-9).scale(std::sqrt(size)));
 }
