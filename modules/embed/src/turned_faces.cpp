@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include <wm3d/core/parallel.hpp>
 
@@ -25,45 +26,68 @@ bool is_turned(const TriangleMesh& mesh, std::span<const Vec3> moved, const Tria
     return before.dot(area_vector_of(moved, t)) <= 0 && !is_sliver(mesh.positions, t, before.norm());
 }
 
-} // namespace
-
-std::vector<Index> turned_faces(const TriangleMesh& mesh, std::span<const Vec3> moved) {
+/// Faces that a predicate holds for, ascending.
+template<typename Predicate>
+std::vector<Index> faces_where(const TriangleMesh& mesh, Predicate&& holds) {
     constexpr std::size_t block = 16384;
     std::vector<std::vector<Index>> found((mesh.triangles.size() + block - 1) / block);
     parallel_blocks(mesh.triangles.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            if (is_turned(mesh, moved, mesh.triangles[f]))
+            if (holds(mesh.triangles[f]))
                 found[begin / block].push_back(static_cast<Index>(f));
     });
-    std::vector<Index> turned;
+    std::vector<Index> faces;
     for (const std::vector<Index>& some : found)
-        turned.insert(turned.end(), some.begin(), some.end());
-    return turned;
+        faces.insert(faces.end(), some.begin(), some.end());
+    return faces;
+}
+
+/// Ascending, each once.
+std::vector<Index> corners_of(const TriangleMesh& mesh, const std::vector<Index>& faces) {
+    std::vector<Index> corners;
+    for (const Index f : faces)
+        corners.insert(corners.end(), mesh.triangles[f].begin(), mesh.triangles[f].end());
+    std::ranges::sort(corners);
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+/// A vertex that has given way.
+struct Halved {
+    Vec3 wanted; ///< where it was to go
+    int halves = 0;
+};
+
+} // namespace
+
+std::vector<Index> turned_faces(const TriangleMesh& mesh, std::span<const Vec3> moved) {
+    return faces_where(mesh, [&](const Triangle& t) { return is_turned(mesh, moved, t); });
 }
 
 std::size_t turn_back(const TriangleMesh& mesh, std::vector<Vec3>& moved) {
     constexpr int most_halves = 6; // then the vertex stays where it was
-    std::vector<Index> turned = turned_faces(mesh, moved);
-    if (turned.empty())
-        return 0;
-    const std::vector<Vec3> wanted = moved;
-    std::vector<int> halves(moved.size(), 0);
+    std::unordered_map<Index, Halved> halved;
+    std::vector<char> gave_way(moved.size(), 0); // in this round
     // A vertex that gives way may turn a neighbouring face. Each round brings some vertex nearer to its place,
     // where no face is turned.
-    for (; !turned.empty(); turned = turned_faces(mesh, moved)) {
-        std::vector<char> gives_way(moved.size(), 0);
-        for (const Index f : turned)
-            for (const Index v : mesh.triangles[f])
-                gives_way[v] = 1;
-        for (std::size_t v = 0; v < moved.size(); ++v) {
-            if (!gives_way[v] || halves[v] > most_halves)
+    for (std::vector<Index> turned = turned_faces(mesh, moved); !turned.empty();) {
+        const std::vector<Index> corners = corners_of(mesh, turned);
+        for (const Index v : corners) {
+            auto& [wanted, halves] = halved.try_emplace(v, Halved{moved[v]}).first->second;
+            if (halves > most_halves)
                 continue;
             const Vec3& place = mesh.positions[v];
-            moved[v] =
-                ++halves[v] > most_halves ? place : place + std::ldexp(1.0, -halves[v]) * (wanted[v] - place);
+            moved[v] = ++halves > most_halves ? place : place + std::ldexp(1.0, -halves) * (wanted - place);
+            gave_way[v] = 1;
         }
+        turned = faces_where(mesh, [&](const Triangle& t) {
+            return std::ranges::any_of(t, [&](Index v) { return gave_way[v] != 0; }) &&
+                   is_turned(mesh, moved, t);
+        });
+        for (const Index v : corners)
+            gave_way[v] = 0;
     }
-    return static_cast<std::size_t>(std::ranges::count_if(halves, [](int n) { return n > 0; }));
+    return halved.size();
 }
 
 } // namespace wm3d::embed
