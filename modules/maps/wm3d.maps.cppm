@@ -53,6 +53,7 @@ using wm3d::opposite;
 using wm3d::OutputError;
 using wm3d::parallel_blocks;
 using wm3d::parallel_invoke;
+using wm3d::parallel_shares;
 using wm3d::parallel_sum;
 using wm3d::parallel_sum_of;
 using wm3d::parallel_tasks;

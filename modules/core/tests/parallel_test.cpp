@@ -23,6 +23,21 @@ TEST_CASE("every number is visited once, whatever the block") {
     parallel_blocks(0, 8, [](std::size_t, std::size_t) { FAIL("no block is expected"); });
 }
 
+TEST_CASE("shares are one after the other, and but one where the list is short") {
+    for (const std::size_t length : {std::size_t{10}, std::size_t{1} << 22}) {
+        std::vector<int> visits(1001, 0);
+        std::atomic<std::size_t> shares = 0;
+        parallel_shares(visits.size(), length, [&](std::size_t begin, std::size_t end) {
+            ++shares;
+            for (std::size_t i = begin; i < end; ++i)
+                ++visits[i];
+        });
+        CHECK(visits == std::vector<int>(1001, 1));
+        CHECK(shares == (length == 10 ? 1 : std::min<std::size_t>(8, thread_count())));
+    }
+    parallel_shares(0, 1u << 22, [](std::size_t, std::size_t) { FAIL("no share is expected"); });
+}
+
 TEST_CASE("a sum has the same bits at one thread and at many") {
     const auto sum = [] {
         return parallel_sum(100000, 512, 0.0, [](std::size_t begin, std::size_t end) {

@@ -44,15 +44,20 @@ struct Incidence {
 
     explicit Incidence(const TriangleMesh& mesh)
         : start(mesh.positions.size() + 1, 0), triangle(3 * mesh.triangles.size()) {
-        for (const Triangle& t : mesh.triangles)
-            for (Index v : t)
-                ++start[v + 1];
+        const auto shared = [&](auto&& visit) { // by the vertices that each thread takes
+            parallel_shares(mesh.positions.size(), mesh.triangles.size(),
+                            [&](std::size_t begin, std::size_t end) {
+                                for (Index f = 0; f < mesh.triangles.size(); ++f)
+                                    for (Index v : mesh.triangles[f])
+                                        if (v >= begin && v < end)
+                                            visit(f, v);
+                            });
+        };
+        shared([&](Index, Index v) { ++start[v + 1]; });
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             start[v + 1] += start[v];
         std::vector<Index> next(start.begin(), start.end() - 1);
-        for (Index f = 0; f < mesh.triangles.size(); ++f)
-            for (Index v : mesh.triangles[f])
-                triangle[next[v]++] = f;
+        shared([&](Index f, Index v) { triangle[next[v]++] = f; });
     }
 
     std::span<const Index> at(std::size_t v) const {

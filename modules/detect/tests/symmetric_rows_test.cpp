@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
 
 using namespace wm3d;
@@ -40,4 +41,15 @@ TEST_CASE(
     CHECK(rows.value[0] == doctest::Approx(-0.5)); // 0 to 1
     CHECK(rows.value[1] == doctest::Approx(-0.5)); // 0 to 2
     CHECK(rows.value[3] > -1e-5F);                 // 1 to 2
+}
+
+TEST_CASE("a large mesh has the same rows at one thread and at many") {
+    const TriangleMesh mesh = shapes::torus(1, 0.4, 1100, 500);
+    const SymmetricRowsOf<float> many = cotangent_laplacian<float>(mesh);
+    const ThreadLimit one(1);
+    const SymmetricRowsOf<float> told = cotangent_laplacian<float>(mesh);
+    CHECK(many.start == told.start);
+    CHECK(many.column == told.column);
+    CHECK(many.value == told.value);
+    CHECK(many.diagonal == told.diagonal);
 }

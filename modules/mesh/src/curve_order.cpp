@@ -51,12 +51,17 @@ std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
 /// The triangles by their least corner, those of one in the order in which they come.
 std::vector<Triangle> by_least_corner(const std::vector<Triangle>& triangles, std::size_t vertices) {
     std::vector<std::size_t> next(vertices + 1, 0);
-    for (const Triangle& t : triangles)
-        ++next[std::ranges::min(t) + 1];
+    const auto shared = [&](auto&& visit) { // by the least corners that each thread takes
+        parallel_shares(vertices, triangles.size(), [&](std::size_t begin, std::size_t end) {
+            for (const Triangle& t : triangles)
+                if (const Index least = std::ranges::min(t); least >= begin && least < end)
+                    visit(least, t);
+        });
+    };
+    shared([&](Index least, const Triangle&) { ++next[least + 1]; });
     std::partial_sum(next.begin(), next.end(), next.begin());
     std::vector<Triangle> sorted(triangles.size());
-    for (const Triangle& t : triangles)
-        sorted[next[std::ranges::min(t)]++] = t;
+    shared([&](Index least, const Triangle& t) { sorted[next[least]++] = t; });
     return sorted;
 }
 

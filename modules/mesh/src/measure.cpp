@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/mesh/measure.hpp>
 
+#include <algorithm>
+
 #include <wm3d/core/parallel.hpp>
 
 namespace wm3d {
@@ -28,11 +30,23 @@ Box bounding_box(std::span<const Vec3> points) {
 Box surface_box(const TriangleMesh& mesh) {
     if (mesh.triangles.empty())
         return {};
-    const Vec3& start = mesh.positions[mesh.triangles.front()[0]];
-    Box box{start, start};
-    for (const Triangle& t : mesh.triangles)
-        for (Index v : t)
-            extend(box, mesh.positions[v]);
+    const auto box_of = [&](std::size_t begin, std::size_t end) {
+        const Vec3& start = mesh.positions[mesh.triangles[begin][0]];
+        Box box{start, start};
+        for (std::size_t f = begin; f < end; ++f)
+            for (Index v : mesh.triangles[f])
+                extend(box, mesh.positions[v]);
+        return box;
+    };
+    std::vector<Box> parts((mesh.triangles.size() + measure_block - 1) / measure_block);
+    parallel_blocks(mesh.triangles.size(), measure_block, [&](std::size_t begin, std::size_t end) {
+        parts[begin / measure_block] = box_of(begin, end);
+    });
+    Box box = parts.front();
+    for (const Box& part : parts) {
+        extend(box, part.min);
+        extend(box, part.max);
+    }
     return box;
 }
 
@@ -54,22 +68,31 @@ std::vector<double> triangle_areas(const TriangleMesh& mesh) {
 std::vector<double> vertex_areas(const TriangleMesh& mesh) {
     const std::vector<double> of_triangle = triangle_areas(mesh);
     std::vector<double> areas(mesh.positions.size(), 0.0);
-    for (std::size_t f = 0; f < of_triangle.size(); ++f)
-        for (Index v : mesh.triangles[f])
-            areas[v] += of_triangle[f] / 3;
+    parallel_shares(areas.size(), of_triangle.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = 0; f < of_triangle.size(); ++f)
+            for (Index v : mesh.triangles[f])
+                if (v >= begin && v < end)
+                    areas[v] += of_triangle[f] / 3;
+    });
     return areas;
 }
 
 std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
     std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
-    for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-        const Vec3 weighted = area_vector(mesh, f);
-        for (Index v : mesh.triangles[f])
-            normals[v] += weighted;
-    }
-    for (Vec3& n : normals)
-        if (const double length = n.norm(); length > 0)
-            n /= length;
+    parallel_shares(normals.size(), mesh.triangles.size(), [&](std::size_t begin, std::size_t end) {
+        const auto is_own = [&](Index v) { return v >= begin && v < end; };
+        for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+            if (std::ranges::none_of(mesh.triangles[f], is_own))
+                continue;
+            const Vec3 weighted = area_vector(mesh, f);
+            for (Index v : mesh.triangles[f])
+                if (is_own(v))
+                    normals[v] += weighted;
+        }
+        for (std::size_t v = begin; v < end; ++v)
+            if (const double length = normals[v].norm(); length > 0)
+                normals[v] /= length;
+    });
     return normals;
 }
 

@@ -23,27 +23,24 @@ void for_each_side(const TriangleMesh& mesh, Visitor&& visit) {
     }
 }
 
-} // namespace
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
-    return sorted_sides(mesh, 0, mesh.positions.size());
-}
-
-std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::size_t begin_low, std::size_t end_low) {
+/// \param place_of  from a lower end to its place among `count`, or to no_index
+template<typename Place>
+std::vector<Side> filed_sides(const TriangleMesh& mesh, std::size_t count, Place&& place_of) {
     // Filed under their lower ends: what is left to sort are the few at one vertex.
-    const std::size_t vertices = end_low - begin_low;
-    std::vector<std::size_t> end(vertices + 1, 0);
-    const auto for_each = [&](auto&& visit) {
-        for_each_side(mesh, [&](const Side& s) {
-            if (s.low >= begin_low && s.low < end_low)
-                visit(s, s.low - begin_low);
+    std::vector<std::size_t> end(count + 1, 0);
+    const auto shared = [&](auto&& visit) { // by the lower ends that each thread files
+        parallel_shares(count, mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
+            for_each_side(mesh, [&](const Side& s) {
+                if (const Index place = place_of(s.low); place >= first && place < last)
+                    visit(s, place);
+            });
         });
     };
-    for_each([&](const Side&, std::size_t low) { ++end[low + 1]; });
+    shared([&](const Side&, Index place) { ++end[place + 1]; });
     std::partial_sum(end.begin(), end.end(), end.begin());
     std::vector<Side> sides(end.back());
-    for_each([&](const Side& s, std::size_t low) { sides[end[low]++] = s; });
-    parallel_blocks(vertices, 4096, [&](std::size_t first, std::size_t last) {
+    shared([&](const Side& s, Index place) { sides[end[place]++] = s; });
+    parallel_blocks(count, 4096, [&](std::size_t first, std::size_t last) {
         for (std::size_t v = first; v < last; ++v) {
             const auto begin = static_cast<std::ptrdiff_t>(v == 0 ? 0 : end[v - 1]);
             std::sort(sides.begin() + begin, sides.begin() + static_cast<std::ptrdiff_t>(end[v]),
@@ -53,6 +50,19 @@ std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::size_t begin_low, 
         }
     });
     return sides;
+}
+
+} // namespace
+
+std::vector<Side> sorted_sides(const TriangleMesh& mesh) {
+    return filed_sides(mesh, mesh.positions.size(), [](Index low) { return low; });
+}
+
+std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::span<const Index> lows) {
+    std::vector<Index> place(mesh.positions.size(), no_index);
+    for (std::size_t i = 0; i < lows.size(); ++i)
+        place[lows[i]] = static_cast<Index>(i);
+    return filed_sides(mesh, lows.size(), [&](Index low) { return place[low]; });
 }
 
 } // namespace wm3d

@@ -2,10 +2,12 @@
 #include <wm3d/mesh/topology.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <span>
 
 #include <wm3d/core/parallel.hpp>
+#include <wm3d/core/split_mix.hpp>
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/mesh/sides.hpp>
 
@@ -57,6 +59,27 @@ void inspect_edges(const std::vector<Side>& sides, std::size_t vertices, Topolog
     topology.boundary_loops = count_sets(loops, on_boundary);
 }
 
+/// Lower ends of all edges that may be borders, ascending. At the others each edge has as many sides one way as the other,
+/// so that hashes of the upper ends, one way less the other, come to 0: by chance alone one in 2^64 does.
+std::vector<Index> lows_of_borders(const TriangleMesh& mesh) {
+    std::vector<std::uint64_t> balance(mesh.positions.size(), 0);
+    parallel_shares(balance.size(), mesh.triangles.size(), [&](std::size_t begin, std::size_t end) {
+        for (const Triangle& t : mesh.triangles)
+            for (std::size_t k = 0; k < t.size(); ++k) {
+                const Index from = t[k], to = t[(k + 1) % 3], low = std::min(from, to);
+                if (low >= begin && low < end && from != to) {
+                    const std::uint64_t hash = split_mix_finalizer(split_mix_step + std::max(from, to));
+                    balance[low] += from < to ? hash : -hash;
+                }
+            }
+    });
+    std::vector<Index> lows;
+    for (Index v = 0; v < balance.size(); ++v)
+        if (balance[v] != 0)
+            lows.push_back(v);
+    return lows;
+}
+
 } // namespace
 
 Topology inspect_topology(const TriangleMesh& mesh) {
@@ -84,17 +107,20 @@ Topology inspect_topology(const TriangleMesh& mesh) {
 std::vector<BorderLoop> border_loops(const TriangleMesh& mesh) {
     std::vector<Side> borders;
     const std::size_t vertices = mesh.positions.size();
+    const std::vector<Index> lows = lows_of_borders(mesh);
+    if (lows.empty())
+        return {};
     Sets sets(vertices);
-    const std::size_t at_once =
-        std::max<std::size_t>(262'144, vertices / 4 + 1); // lower ends, for memory's sake
-    for (std::size_t begin = 0; begin < vertices; begin += at_once)
-        for_each_edge(sorted_sides(mesh, begin, std::min(begin + at_once, vertices)),
-                      [&](std::span<const Side> edge) {
-                          if (edge.size() != 1)
-                              return;
-                          borders.push_back(edge[0]);
-                          sets.join(edge[0].low, edge[0].high);
-                      });
+    const std::size_t at_once = std::max<std::size_t>(262'144, vertices / 4 + 1); // for memory's sake
+    for (std::size_t begin = 0; begin < lows.size(); begin += at_once)
+        for_each_edge(
+            sorted_sides(mesh, std::span(lows).subspan(begin, std::min(at_once, lows.size() - begin))),
+            [&](std::span<const Side> edge) {
+                if (edge.size() != 1)
+                    return;
+                borders.push_back(edge[0]);
+                sets.join(edge[0].low, edge[0].high);
+            });
 
     std::vector<BorderLoop> loops;
     std::vector<Vec3> origins; // a point of each loop: near the surface, digits aren't lost

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/mesh/topology.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -145,7 +148,7 @@ TEST_CASE("a crack is a border that opens nothing, and every part has borders of
           doctest::Approx(surface_area(slit))); // the outline alone, though the slit is a border too
 }
 
-TEST_CASE("sides of ranges of lower ends are those of all, one after the other") {
+TEST_CASE("sides of some lower ends are those of all, one after the other") {
     const TriangleMesh mesh = strip(1, 0.5, 1);
     const auto told = [](const std::vector<Side>& sides) {
         std::vector<std::array<Index, 4>> list;
@@ -153,12 +156,28 @@ TEST_CASE("sides of ranges of lower ends are those of all, one after the other")
             list.push_back({s.low, s.high, s.forward ? 1u : 0u, s.triangle});
         return list;
     };
+    REQUIRE(mesh.positions.size() == 48);
+    std::vector<Index> all(48);
+    std::iota(all.begin(), all.end(), Index{0});
     std::vector<Side> parts;
     for (const auto& [begin, end] : {std::pair<std::size_t, std::size_t>{0, 0}, {0, 17}, {17, 48}}) {
-        const std::vector<Side> part = sorted_sides(mesh, begin, end);
+        const std::vector<Side> part = sorted_sides(mesh, std::span(all).subspan(begin, end - begin));
         parts.insert(parts.end(), part.begin(), part.end());
     }
-    REQUIRE(mesh.positions.size() == 48);
     CHECK(told(parts) == told(sorted_sides(mesh)));
     CHECK(parts.size() == 3 * mesh.triangles.size());
+
+    const std::vector<Index> some{3, 4, 30};
+    std::erase_if(parts, [&](const Side& s) { return std::ranges::find(some, s.low) == some.end(); });
+    CHECK(!parts.empty());
+    CHECK(told(parts) == told(sorted_sides(mesh, some)));
+}
+
+TEST_CASE("the border of a torn mesh is found among edges that aren't walked once either way") {
+    // A quadrilateral whose second triangle faces the other way, and a third triangle on its diagonal.
+    const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}},
+                            {{0, 1, 2}, {0, 3, 2}, {0, 2, 4}}};
+    const std::vector<BorderLoop> loops = border_loops(mesh);
+    REQUIRE(loops.size() == 1);
+    CHECK(loops[0].edges == 6); // all but the diagonal, on which three sides lie
 }

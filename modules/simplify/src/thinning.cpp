@@ -44,14 +44,17 @@ std::vector<Block> blocks_of(const Canonical& mesh, std::size_t size) {
     std::vector<Block> blocks((mesh.positions.size() + size - 1) / size);
     for (std::size_t b = 0; b < blocks.size(); ++b)
         blocks[b] = {b * size, std::min((b + 1) * size, mesh.positions.size()), {}};
-    for (Index f = 0; f < mesh.triangles.size(); ++f) {
-        const Triangle& t = mesh.triangles[f];
-        for (std::size_t k = 0; k < 3; ++k) {
-            std::vector<Index>& faces = blocks[t[k] / size].faces;
-            if (faces.empty() || faces.back() != f)
-                faces.push_back(f);
-        }
-    }
+    parallel_shares(blocks.size(), mesh.triangles.size(), [&](std::size_t first, std::size_t last) {
+        const std::size_t begin = first * size, end = last * size;
+        for (Index f = 0; f < mesh.triangles.size(); ++f)
+            for (const Index v : mesh.triangles[f]) {
+                if (v < begin || v >= end)
+                    continue;
+                std::vector<Index>& faces = blocks[v / size].faces;
+                if (faces.empty() || faces.back() != f)
+                    faces.push_back(f);
+            }
+    });
     return blocks;
 }
 

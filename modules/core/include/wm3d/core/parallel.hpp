@@ -37,6 +37,12 @@ void parallel_blocks(std::size_t count, std::size_t block,
 /// than there are threads. An exception in a task reaches the caller.
 void parallel_tasks(std::size_t count, const std::function<void(std::size_t i)>& body);
 
+/// Calls body(begin, end) for a few consecutive ranges that together are [0, count), at the same time: for passes over a
+/// whole list of `length` entries, each of which keeps what falls into its own range, in the list's order. One range
+/// where the list is short. What comes of it must not depend on where ranges end.
+void parallel_shares(std::size_t count, std::size_t length,
+                     const std::function<void(std::size_t begin, std::size_t end)>& body);
+
 /// Runs two independent tasks, at the same time if a thread is free; the second on the calling thread.
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second);
 

@@ -20,10 +20,10 @@ struct Side {
 /// The sides of all triangles in ascending order, so those of one edge together. In parallel.
 std::vector<Side> sorted_sides(const TriangleMesh& mesh);
 
-/// Those of them whose lower ends are from `begin_low` up to `end_low`, which is left out: of all of a dense mesh at once
-/// they take as much memory as the mesh does twice.
-/// \pre  begin_low <= end_low <= #V
-std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::size_t begin_low, std::size_t end_low);
+/// Those of them whose lower ends are among `lows`: of all of a dense mesh at once they take as much memory as the mesh
+/// does twice.
+/// \param lows  ascending, none twice, all below #V
+std::vector<Side> sorted_sides(const TriangleMesh& mesh, std::span<const Index> lows);
 
 /// Calls visit(sides) for every edge with the sides that lie on it, in their order.
 /// \param sides  of `sorted_sides`
