@@ -156,8 +156,12 @@ ThinnedBlock thin_block(const Block& block, double share, std::span<const Standi
     result.largest_error = decimator.largest_error();
 
     const auto whole = [&](Index v) { return static_cast<Index>(block.begin) + v; };
+    // Other blocks read, at the same time, what reaches into them.
+    const auto is_own = [&](std::size_t face) {
+        return std::ranges::all_of(piece.triangles[face], [&](Index v) { return v < inside; });
+    };
     for (std::size_t i = 0; i < block.faces.size(); ++i)
-        if (std::ranges::all_of(piece.triangles[i], [&](Index v) { return v < inside; }))
+        if (is_own(i))
             mesh.triangles[block.faces[i]] = gone;
     for (Index v = 0; v < inside; ++v) {
         if (!surface.rings.alive(v)) {
@@ -166,7 +170,7 @@ ThinnedBlock thin_block(const Block& block, double share, std::span<const Standi
         }
         result.standing.push_back({whole(v), sites.quadric[v], sites.site[v].constant});
         for (const Spoke& s : surface.rings.of(v))
-            if (s.corner != no_index)
+            if (s.corner != no_index && is_own(s.corner / 3))
                 mesh.triangles[block.faces[s.corner / 3]][s.corner % 3] = whole(v);
     }
     return result;
