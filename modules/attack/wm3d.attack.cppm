@@ -26,6 +26,8 @@ using wm3d::enclosed_volume;
 using wm3d::Error;
 using wm3d::ErrorCode;
 using wm3d::evaluate;
+using wm3d::Filed;
+using wm3d::filed;
 using wm3d::Fnv;
 using wm3d::folder_of;
 using wm3d::for_each_edge;

@@ -10,6 +10,8 @@ using wm3d::check_json_depth;
 using wm3d::Descriptor;
 using wm3d::Error;
 using wm3d::ErrorCode;
+using wm3d::Filed;
+using wm3d::filed;
 using wm3d::Fnv;
 using wm3d::folder_of;
 using wm3d::from_base64;

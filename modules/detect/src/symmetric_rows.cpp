@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include <wm3d/core/filed.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
@@ -38,32 +39,13 @@ std::vector<std::array<Value, 3>> half_cotangents(const TriangleMesh& mesh) {
 }
 
 /// The triangles at each vertex, ascending.
-struct Incidence {
-    std::vector<Index> start; ///< #V + 1
-    std::vector<Index> triangle;
-
-    explicit Incidence(const TriangleMesh& mesh)
-        : start(mesh.positions.size() + 1, 0), triangle(3 * mesh.triangles.size()) {
-        const auto shared = [&](auto&& visit) { // by the vertices that each thread takes
-            parallel_shares(mesh.positions.size(), mesh.triangles.size(),
-                            [&](std::size_t begin, std::size_t end) {
-                                for (Index f = 0; f < mesh.triangles.size(); ++f)
-                                    for (Index v : mesh.triangles[f])
-                                        if (v >= begin && v < end)
-                                            visit(f, v);
-                            });
-        };
-        shared([&](Index, Index v) { ++start[v + 1]; });
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-            start[v + 1] += start[v];
-        std::vector<Index> next(start.begin(), start.end() - 1);
-        shared([&](Index f, Index v) { triangle[next[v]++] = f; });
-    }
-
-    std::span<const Index> at(std::size_t v) const {
-        return {triangle.data() + start[v], start[v + 1] - start[v]};
-    }
-};
+Filed<Index> triangles_at_vertices(const TriangleMesh& mesh) {
+    return filed<Index>(mesh.positions.size(), mesh.triangles.size(), [&](auto&& file) {
+        for (Index f = 0; f < mesh.triangles.size(); ++f)
+            for (const Index v : mesh.triangles[f])
+                file(v, [&] { return f; });
+    });
+}
 
 struct Entry {
     Index column;
@@ -99,7 +81,7 @@ std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangle
 
 template<typename Value>
 SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
-    const Incidence around(mesh);
+    const Filed<Index> around = triangles_at_vertices(mesh);
     const std::vector<std::array<Value, 3>> weights = half_cotangents<Value>(mesh);
     const std::size_t count = mesh.positions.size();
     SymmetricRowsOf<Value> rows;
@@ -109,7 +91,7 @@ SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
         std::vector<Index> others;
         for (std::size_t v = begin; v < end; ++v)
             rows.start[v + 1] =
-                static_cast<Index>(neighbours(mesh, around.at(v), static_cast<Index>(v), others));
+                static_cast<Index>(neighbours(mesh, around.under(v), static_cast<Index>(v), others));
     });
     for (std::size_t v = 0; v < count; ++v)
         rows.start[v + 1] += rows.start[v];
@@ -118,7 +100,7 @@ SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
     parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
         std::vector<Entry> entries;
         for (std::size_t v = begin; v < end; ++v) {
-            edge_entries<Value>(mesh, weights, around.at(v), static_cast<Index>(v), entries);
+            edge_entries<Value>(mesh, weights, around.under(v), static_cast<Index>(v), entries);
             double diagonal = 0;
             Index place = rows.start[v];
             for (std::size_t i = 0; i < entries.size();) {

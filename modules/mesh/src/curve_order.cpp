@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
+#include <wm3d/core/filed.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
 
@@ -50,19 +50,12 @@ std::vector<Index> vertices_along_curve(const TriangleMesh& mesh) {
 
 /// The triangles by their least corner, those of one in the order in which they come.
 std::vector<Triangle> by_least_corner(const std::vector<Triangle>& triangles, std::size_t vertices) {
-    std::vector<std::size_t> next(vertices + 1, 0);
-    const auto shared = [&](auto&& visit) { // by the least corners that each thread takes
-        parallel_shares(vertices, triangles.size(), [&](std::size_t begin, std::size_t end) {
-            for (const Triangle& t : triangles)
-                if (const Index least = std::ranges::min(t); least >= begin && least < end)
-                    visit(least, t);
-        });
-    };
-    shared([&](Index least, const Triangle&) { ++next[least + 1]; });
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    std::vector<Triangle> sorted(triangles.size());
-    shared([&](Index least, const Triangle& t) { sorted[next[least]++] = t; });
-    return sorted;
+    return filed<Triangle>(vertices, triangles.size(),
+                           [&](auto&& file) {
+                               for (const Triangle& t : triangles)
+                                   file(std::ranges::min(t), [&] { return t; });
+                           })
+        .values;
 }
 
 } // namespace

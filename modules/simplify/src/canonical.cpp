@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/filed.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/curve_order.hpp>
 #include <wm3d/mesh/measure.hpp>
@@ -192,26 +193,16 @@ std::vector<Index> first_corners(const TriangleMesh& mesh, const std::vector<Ind
 /// Triangles of the new numbers, sorted by their corners, each set of corners once.
 void order_triangles(const TriangleMesh& mesh, const std::vector<Index>& number, Canonical& out) {
     const std::vector<Index> first = first_corners(mesh, number);
-    std::vector<Index> start(out.positions.size() + 1, 0);
-    const auto shared = [&](auto&& visit) { // by the first corners that each thread takes
-        parallel_shares(out.positions.size(), first.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = 0; f < first.size(); ++f)
-                if (first[f] >= begin && first[f] < end)
-                    visit(f);
-        });
-    };
-    shared([&](std::size_t f) { ++start[first[f] + 1]; });
-    for (std::size_t v = 1; v < start.size(); ++v)
-        start[v] += start[v - 1];
-    std::vector<Triangle>& sorted = out.triangles;
-    sorted.resize(start.back());
-    shared([&](std::size_t f) { sorted[start[first[f]]++] = renumbered(mesh.triangles[f], number); });
-    // By now `start` tells where the triangles of each first corner end.
+    Filed<Triangle> by_first = filed<Triangle>(out.positions.size(), first.size(), [&](auto&& file) {
+        for (std::size_t f = 0; f < first.size(); ++f)
+            file(first[f], [&] { return renumbered(mesh.triangles[f], number); });
+    });
     parallel_blocks(out.positions.size(), canonical_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
-            std::sort(sorted.begin() + (v == 0 ? 0 : start[v - 1]), sorted.begin() + start[v],
-                      [](const Triangle& a, const Triangle& b) { return rank(a) < rank(b); });
+            std::ranges::sort(by_first.under(v), {}, rank);
     });
+    std::vector<Triangle>& sorted = out.triangles;
+    sorted = std::move(by_first.values);
     sorted.erase(std::unique(sorted.begin(), sorted.end(), same_corners), sorted.end());
 }
 

@@ -6,6 +6,7 @@
 #include <wm3d/core/base64.hpp>
 #include <wm3d/core/descriptor.hpp>
 #include <wm3d/core/error.hpp>
+#include <wm3d/core/filed.hpp>
 #include <wm3d/core/fnv.hpp>
 #include <wm3d/core/hex.hpp>
 #include <wm3d/core/json_depth.hpp>
