@@ -302,11 +302,11 @@ CoordinateProperties find_coordinates(const Source& source, const PlyElement& ve
     return find_numbers(source, vertex, position_names);
 }
 
-/// Refuses counts that the file is too short for, before anything is allocated.
 void append(std::vector<Triangle>& triangles, const std::vector<Triangle>& more) {
     triangles.insert(triangles.end(), more.begin(), more.end());
 }
 
+/// Refuses counts that the file is too short for, before anything is allocated.
 template<typename Body>
 void check_counts(const Source& source, const PlyHeader& header) {
     for (const PlyElement& element : header.elements) {
