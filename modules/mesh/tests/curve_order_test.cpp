@@ -9,26 +9,12 @@
 
 #include <wm3d/mesh/measure.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
+using namespace wm3d::test;
 
 namespace {
-
-/// A square of cells by cells squares, its vertices in no useful order.
-TriangleMesh shuffled_square(Index cells) {
-    const Index side = cells + 1, count = side * side;
-    const auto number = [&](Index i, Index j) { return (i * side + j) * 7919 % count; };
-    TriangleMesh mesh;
-    mesh.positions.resize(count);
-    for (Index i = 0; i < side; ++i)
-        for (Index j = 0; j < side; ++j)
-            mesh.positions[number(i, j)] = Vec3(i, j, 0);
-    for (Index i = 0; i < cells; ++i)
-        for (Index j = 0; j < cells; ++j) {
-            mesh.triangles.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
-            mesh.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
-        }
-    return mesh;
-}
 
 /// Mean difference of the numbers at the ends of an edge.
 double mean_stride(const TriangleMesh& mesh) {

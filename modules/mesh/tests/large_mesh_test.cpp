@@ -12,26 +12,18 @@
 #include <wm3d/mesh/sides.hpp>
 #include <wm3d/mesh/topology.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
+using namespace wm3d::test;
 
 namespace {
 
 /// A hilly square of more than a million triangles, its vertices in no useful order.
 TriangleMesh hills() {
-    constexpr Index cells = 730, side = cells + 1, count = side * side;
-    const auto number = [](Index i, Index j) {
-        return static_cast<Index>(std::size_t{i * side + j} * 7919 % count);
-    };
-    TriangleMesh mesh;
-    mesh.positions.resize(count);
-    for (Index i = 0; i < side; ++i)
-        for (Index j = 0; j < side; ++j)
-            mesh.positions[number(i, j)] = Vec3(i, j, std::sin(0.3 * i) * std::cos(0.2 * j));
-    for (Index i = 0; i < cells; ++i)
-        for (Index j = 0; j < cells; ++j) {
-            mesh.triangles.push_back({number(i, j), number(i + 1, j), number(i + 1, j + 1)});
-            mesh.triangles.push_back({number(i, j), number(i + 1, j + 1), number(i, j + 1)});
-        }
+    TriangleMesh mesh = shuffled_square(730);
+    for (Vec3& p : mesh.positions)
+        p.z() = std::sin(0.3 * p.x()) * std::cos(0.2 * p.y());
     return mesh;
 }
 
