@@ -5,7 +5,8 @@
 #include <cstdint>
 #include <numeric>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/core/split_mix.hpp>
@@ -125,8 +126,8 @@ Field without_patterns(Field e, std::span<const double> trust, const Eigen::Matr
     const Eigen::Map<const Eigen::VectorXd> weight(trust.data(), n);
     Eigen::Map<Eigen::VectorXd> difference(e.data(), n);
     const Eigen::MatrixXd normal = patterns.transpose() * weight.asDiagonal() * patterns;
-    const Eigen::VectorXd share = normal.completeOrthogonalDecomposition().solve(
-        patterns.transpose() * weight.cwiseProduct(difference));
+    const Eigen::VectorXd share = // any of them where patterns are alike
+        normal.fullPivLu().solve(patterns.transpose() * weight.cwiseProduct(difference));
     difference -= weight.cwiseProduct(patterns * share);
     return e;
 }

@@ -27,6 +27,18 @@ Mat3 best_rotation(const Mat3& edges) {
     return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
+/// The least turn from one direction to another; half a turn about any axis across where they are opposite.
+Eigen::Quaterniond least_turn(const Vec3& from, const Vec3& to) {
+    constexpr double opposite = 1e-6; // less than that is left of the sum of the units
+    const Vec3 a = from.normalized(), sum = a + to.normalized();
+    if (sum.norm() <= opposite) {
+        const Vec3 across = a.unitOrthogonal();
+        return {0, across[0], across[1], across[2]};
+    }
+    const Vec3 halfway = sum.normalized(), axis = a.cross(halfway);
+    return {a.dot(halfway), axis[0], axis[1], axis[2]};
+}
+
 /// The edges tell the twist, the area vectors then the direction.
 Vec3 turned(const Vec3& normal, const Sums& sums) {
     if (sums.before == sums.after || !(sums.area > 0) || !normal.allFinite())
@@ -35,7 +47,7 @@ Vec3 turned(const Vec3& normal, const Sums& sums) {
     const double least = least_direction * sums.area;
     if (sums.before.norm() <= least || sums.after.norm() <= least)
         return rotation * normal;
-    return Eigen::Quaterniond::FromTwoVectors(rotation * sums.before, sums.after) * (rotation * normal);
+    return least_turn(rotation * sums.before, sums.after) * (rotation * normal);
 }
 
 /// Twice the area vector of a face.
