@@ -12,8 +12,6 @@ namespace {
 /// Of the solution that carries folds back: an error of this part costs its square of the score.
 constexpr double whitening_tolerance = 1e-2;
 
-constexpr int most_steps = 500;
-
 /// D^-1/2 (I + sigma^2 J^T diag(g) J) D^-1/2 with D the diagonal of the middle, so that its own is 1: weights of the
 /// hinges lie decades apart. Kept as D^-1 + A^T A.
 class Whitening {
@@ -55,6 +53,7 @@ public:
 
     /// (I + sigma^2 J^T diag(g) J)^-1 y, #V.
     std::vector<double> solved(std::vector<double> y) const {
+        constexpr int most_steps = 500;
         Together<1> right(y.size()), x(y.size(), std::array{0.0});
         for (std::size_t i = 0; i < y.size(); ++i)
             right[i][0] = scale_[i] * y[i];

@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* schema = "wm3d.bench-items/1";
+constexpr const char* items_schema = "wm3d.bench-items/1";
 
 /// JSON has no NaN; it is written as null.
 double number(const ordered_json& json) {
@@ -200,17 +200,17 @@ std::string to_string(const MarkSize& size) {
 }
 
 BenchLog::BenchLog(const std::string& path, const ordered_json& settings)
-    : lines_(path, "result of a bench", schema, [&](const ordered_json& line, std::size_t number) {
-          read(line, number, {{"schema", schema}, {"settings", settings}}, path);
+    : lines_(path, "result of a bench", items_schema, [&](const ordered_json& line, std::size_t number) {
+          read(line, number, {{"schema", items_schema}, {"settings", settings}}, path);
       }) {
     if (lines_.was_empty())
-        lines_.append({{"schema", schema}, {"settings", settings}});
+        lines_.append({{"schema", items_schema}, {"settings", settings}});
 }
 
 void BenchLog::read(const ordered_json& line, std::size_t number, const ordered_json& header,
                     const std::string& path) {
     if (number == 1) {
-        if (line.at("schema") != schema)
+        if (line.at("schema") != items_schema)
             throw InputError(
                 fmt::format("{}: these results are of another version; name another folder", path));
         if (const std::string difference = first_difference(line.at("settings"), header.at("settings"));
