@@ -15,6 +15,9 @@ if(CMAKE_UNITY_BUILD)
     # Sources that are compiled as one are headers to g++, which then warns of anonymous namespaces in classes.
     target_compile_options(wm3d_settings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
+# g++ tidies up its memory less often: a twelfth of its time, for 200 MB more.
+target_compile_options(wm3d_settings INTERFACE
+    $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=524288> $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=100>)
 if(WM3D_WERROR)
     target_compile_options(wm3d_settings INTERFACE -Werror)
 endif()
@@ -27,6 +30,11 @@ if(WM3D_SANITIZE_THREADS)
     add_compile_options(-fsanitize=thread -fno-omit-frame-pointer)
     add_link_options(-fsanitize=thread)
 endif()
+
+# wm3d_not_hot(TARGET): what no command waits for is compiled in less time, not for speed.
+function(wm3d_not_hot target)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
 
 find_program(WM3D_CCACHE ccache)
 if(WM3D_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
