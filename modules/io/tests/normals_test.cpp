@@ -85,6 +85,20 @@ TEST_CASE("a crease stays: corners of one vertex keep normals of their own") {
     CHECK(vectors_of_lines(model.patched(folded), "vn ")[1] == Vec3(0, 0.6, 0.8));
 }
 
+TEST_CASE("a face that is turned over turns its normal over") {
+    // A face of no area, which crosses itself, holds the edges where they are; the other one is mirrored.
+    const std::string bytes = "v 0.0000 0.0000 0.0000\nv 9.0000 9.0000 0.0000\nv 9.0000 0.0000 0.0000\n"
+                              "v 0.0000 9.0000 0.0000\nv 20.0000 0.0000 0.0000\nv 21.0000 0.0000 0.0000\n"
+                              "v 20.0000 1.0000 0.0000\nvn 0.0000 0.0000 1.0000\n"
+                              "f 1//1 2//1 3//1 4//1\nf 5//1 6//1 7//1\n";
+    const Model model = parse_as(Format::obj, bytes);
+    std::vector<Vec3> positions = model.mesh().positions;
+    positions.back().y() = -1;
+    const std::vector<Vec3> normals = vectors_of_lines(model.patched(positions, Normals::turn), "vn ");
+    REQUIRE(normals.size() == 1);
+    CHECK((normals.front() - Vec3(0, 0, -1)).norm() < 1e-4);
+}
+
 TEST_CASE("normals of a text PLY file turn, zeros and what is no number stay") {
     const std::string elements =
         "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
