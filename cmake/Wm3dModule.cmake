@@ -3,9 +3,10 @@
 # Makes the library wm3d::<NAME> of modules/<NAME>. Headers live in include/wm3d/<NAME>/, the facade is
 # include/wm3d/<NAME>.hpp, sources in src/, tests in tests/. DEPS are modules whose headers the module's own
 # headers may include (they must be listed before it in WM3D_MODULES); LINK is linked PRIVATE. Every header
-# compiles alone (target all_verify_interface_header_sets).
+# compiles alone (target wm3d_headers).
 
 if(WM3D_TESTS)
+    include(Wm3dHeaders)
     file(WRITE ${CMAKE_BINARY_DIR}/doctest_main.cpp
         "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n")
     add_library(wm3d_doctest_main STATIC ${CMAKE_BINARY_DIR}/doctest_main.cpp)
@@ -24,7 +25,7 @@ function(wm3d_test name)
         math(EXPR ARG_TIMEOUT "10 * ${ARG_TIMEOUT}")
     endif()
     add_executable(${name} ${ARG_SRCS})
-    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # cases of different files may name the same helpers
+    wm3d_not_hot(${name})
     target_link_libraries(${name} PRIVATE wm3d_settings wm3d_doctest_main ${ARG_LINK})
     set(meshes $ENV{WM3D_MESHES})
     if(NOT meshes)
@@ -75,10 +76,13 @@ function(wm3d_module)
     endif()
     add_library(wm3d::${ARG_NAME} ALIAS ${target})
     target_sources(${target} ${scope} FILE_SET HEADERS BASE_DIRS include FILES ${headers})
-    set_target_properties(${target} PROPERTIES VERIFY_INTERFACE_HEADER_SETS ON EXPORT_NAME ${ARG_NAME})
+    set_target_properties(${target} PROPERTIES EXPORT_NAME ${ARG_NAME})
     target_compile_features(${target} ${scope} cxx_std_20)
     target_link_libraries(${target} ${scope} ${ARG_DEPS} wm3d::third::eigen)
 
+    if(WM3D_TESTS)
+        wm3d_check_headers(${ARG_NAME} ${headers})
+    endif()
     if(WM3D_TESTS AND ARG_TESTS)
         list(TRANSFORM ARG_TESTS PREPEND tests/)
         wm3d_test(${target}_tests SRCS ${ARG_TESTS} LINK wm3d::${ARG_NAME} ${ARG_TEST_LINK})

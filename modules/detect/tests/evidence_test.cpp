@@ -12,13 +12,15 @@
 #include <wm3d/shapes.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
 using namespace wm3d::detect;
+using detect::test::rmax;
 
 namespace {
 
 constexpr unsigned level = 4;
-constexpr double rmax = 0.1;
 
 TriangleMesh canonical_blob() {
     const TriangleMesh mesh = shapes::blob(8000, 21);

@@ -19,7 +19,7 @@ double pseudo_random(std::uint64_t& state) {
     return static_cast<double>(state >> 11) * 0x1p-52 - 1;
 }
 
-std::vector<double> numbers(std::size_t n, std::uint64_t seed, double scale = 1) {
+std::vector<double> random_numbers(std::size_t n, std::uint64_t seed, double scale = 1) {
     std::vector<double> x(n);
     for (double& v : x)
         v = scale * pseudo_random(seed);
@@ -29,7 +29,7 @@ std::vector<double> numbers(std::size_t n, std::uint64_t seed, double scale = 1)
 std::vector<Hypothesis> some_family() {
     std::vector<Hypothesis> family;
     for (std::size_t h = 0; h < 6; ++h)
-        family.push_back({LinearStatistic(numbers(400, 11 * h + 1), 0.1), 2, h, 0});
+        family.push_back({LinearStatistic(random_numbers(400, 11 * h + 1), 0.1), 2, h, 0});
     return family;
 }
 
@@ -37,7 +37,7 @@ std::vector<Hypothesis> some_family() {
 
 TEST_CASE("the planted hypothesis wins, and all of them are paid for") {
     const std::vector<Hypothesis> family = some_family();
-    std::vector<double> w = numbers(400, 99, 0.05);
+    std::vector<double> w = random_numbers(400, 99, 0.05);
     for (std::size_t j = 0; j < w.size(); ++j)
         w[j] += 0.05 * std::copysign(1.0, family[4].statistic.coefficients()[j]) * 0.9;
     const FamilyScore score = score_family(family, [&](unsigned) { return std::span<const double>(w); });
@@ -54,7 +54,7 @@ TEST_CASE("a turned hypothesis scores as its statistic in the sequence's own ord
     for (Index j = 0; j < 400; ++j)
         (*turn)[j] = (j + 17) % 400; // no involution, so that the two ways to apply it differ
     family[2].turn = turn;
-    const std::vector<double> w = numbers(400, 5, 0.1);
+    const std::vector<double> w = random_numbers(400, 5, 0.1);
     const LinearStatistic own = own_statistic(family[2]);
     CHECK(own.coefficients()[17] == family[2].statistic.coefficients()[0]);
     const auto sequence = [&](unsigned) { return std::span<const double>(w); };
@@ -73,7 +73,7 @@ TEST_CASE("the family's false-positive probability holds") {
     int positives = 0, by_score = 0;
     constexpr int keys = 4000;
     for (std::uint64_t k = 0; k < keys; ++k) {
-        const std::vector<double> w = numbers(400, 1000 + 7919 * k, 0.1);
+        const std::vector<double> w = random_numbers(400, 1000 + 7919 * k, 0.1);
         const auto sequence = [&](unsigned) { return std::span<const double>(w); };
         const bool positive = reaches(family, thresholds, sequence);
         positives += positive;

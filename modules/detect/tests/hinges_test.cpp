@@ -11,8 +11,11 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/shapes.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
 using detect::Hinges;
+using detect::test::dot;
 
 namespace {
 
@@ -20,13 +23,6 @@ namespace {
 TriangleMesh hinge(double angle) {
     return {{{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {1, -std::cos(angle), std::sin(angle)}},
             {{0, 1, 2}, {1, 0, 3}}};
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i] * b[i];
-    return sum;
 }
 
 std::vector<double> some_numbers(std::size_t count) {

@@ -11,11 +11,12 @@
 #include <wm3d/shapes/shapes.hpp>
 #include <wm3d/sphere/icosphere.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
+using detect::test::rmax;
 
 namespace {
-
-constexpr double rmax = 0.1;
 
 /// Repeatable numbers of (-1, 1) without visible order.
 std::vector<double> numbers(std::size_t count, double seed) {

@@ -9,8 +9,11 @@
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/shapes.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
 using detect::SurfaceFilter;
+using detect::test::dot;
 
 namespace {
 
@@ -19,10 +22,6 @@ std::vector<double> field(std::size_t n, double step) {
     for (std::size_t i = 0; i < n; ++i)
         x[i] = std::sin(step * static_cast<double>(i) + 0.3);
     return x;
-}
-
-double dot(std::span<const double> a, std::span<const double> b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
 } // namespace

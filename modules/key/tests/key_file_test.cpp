@@ -9,8 +9,11 @@
 #include <unistd.h>
 #include <wm3d/core/error.hpp>
 
+#include "message_of.hpp"
+
 using namespace wm3d;
 using namespace wm3d::key;
+using key::test::message_of;
 namespace fs = std::filesystem;
 
 namespace {
@@ -27,16 +30,6 @@ struct Folder {
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 };
-
-template<typename Kind>
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Kind& error) {
-        return error.what();
-    }
-    return "no error";
-}
 
 std::string content(const fs::path& path) {
     std::ostringstream text;

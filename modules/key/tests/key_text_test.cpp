@@ -6,13 +6,16 @@
 #include <doctest/doctest.h>
 #include <wm3d/core/error.hpp>
 
+#include "message_of.hpp"
+
 using namespace wm3d;
 using namespace wm3d::key;
+using key::test::message_of;
 
 namespace {
 
 /// A text of version 1 whose checksum Python's hashlib made: what this version writes must stay readable.
-constexpr std::string_view frozen =
+constexpr std::string_view frozen_open =
     "wm3d key, version 1\n"
     "# A comment.\n"
     "name: Museum of Casts\n"
@@ -23,15 +26,6 @@ constexpr std::string_view frozen =
     "created-by: wm3d 0.1.0\n"
     "checksum: f461349b03ee963bb6cbb80bab47c526\n";
 
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 std::string replaced(std::string text, std::string_view from, std::string_view to) {
     const std::size_t at = text.find(from);
     REQUIRE(at != std::string::npos);
@@ -39,15 +33,15 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
 }
 
 bool says(std::string_view text, std::string_view what) {
-    const std::string message = message_of([&] { Key::parse(text, "my.key"); });
+    const std::string message = message_of<InputError>([&] { Key::parse(text, "my.key"); });
     CAPTURE(message);
     return message.starts_with("my.key: ") && message.find(what) != std::string::npos;
 }
 
 } // namespace
 
-TEST_CASE("a frozen key file is read") {
-    const Key key = Key::parse(frozen, "frozen.key");
+TEST_CASE("a frozen_open key file is read") {
+    const Key key = Key::parse(frozen_open, "frozen_open.key");
     CHECK(key.name() == "Museum of Casts");
     CHECK(key.created_by() == "wm3d 0.1.0");
     CHECK(key.parameters() == PublicParameters{{4, 6}, 0.2, 0.03});
@@ -78,27 +72,28 @@ TEST_CASE("the text has its version, its defaults and no second secret") {
 }
 
 TEST_CASE("changed line ends do no harm") {
-    std::string text(frozen);
+    std::string text(frozen_open);
     for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
         text.replace(at, 1, "\r\n");
     CHECK(Key::parse(text, "dos.key").name() == "Museum of Casts");
-    CHECK(Key::parse(frozen.substr(0, frozen.size() - 1), "no end.key").name() == "Museum of Casts");
+    CHECK(Key::parse(frozen_open.substr(0, frozen_open.size() - 1), "no end.key").name() ==
+          "Museum of Casts");
 }
 
 TEST_CASE("a text cut anywhere is refused") {
-    for (std::size_t length = 0; length + 1 < frozen.size(); ++length)
-        CHECK_THROWS_AS(Key::parse(frozen.substr(0, length), "cut.key"), InputError);
-    CHECK(says(frozen.substr(0, frozen.size() - 9), "was cut"));
-    CHECK(says(frozen.substr(0, 70), "was cut"));
+    for (std::size_t length = 0; length + 1 < frozen_open.size(); ++length)
+        CHECK_THROWS_AS(Key::parse(frozen_open.substr(0, length), "cut.key"), InputError);
+    CHECK(says(frozen_open.substr(0, frozen_open.size() - 9), "was cut"));
+    CHECK(says(frozen_open.substr(0, 70), "was cut"));
 }
 
 TEST_CASE("a text with any byte altered is refused") {
-    for (std::size_t at = 0; at < frozen.size() - 1; ++at) {
-        std::string text(frozen);
+    for (std::size_t at = 0; at < frozen_open.size() - 1; ++at) {
+        std::string text(frozen_open);
         text[at] = static_cast<char>(text[at] ^ 1);
         CHECK_THROWS_AS(Key::parse(text, "altered.key"), InputError);
     }
-    CHECK(says(replaced(std::string(frozen), "rmax: 0.2", "rmax: 0.3"), "was altered"));
+    CHECK(says(replaced(std::string(frozen_open), "rmax: 0.2", "rmax: 0.3"), "was altered"));
 }
 
 TEST_CASE("what is no key file is told from a key file of a newer version") {
@@ -106,7 +101,7 @@ TEST_CASE("what is no key file is told from a key file of a newer version") {
     CHECK(says("ply\nformat ascii 1.0\n", "is not a key file"));
     CHECK(says("wm3d key, version zero\n", "is not a key file"));
     CHECK(says("wm3d key, version 0\n", "is not a key file"));
-    CHECK(says(replaced(std::string(frozen), "version 1", "version 3"), "understands version 2"));
+    CHECK(says(replaced(std::string(frozen_open), "version 1", "version 3"), "understands version 2"));
 }
 
 TEST_CASE("names that are not UTF-8 are refused") {

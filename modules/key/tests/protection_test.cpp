@@ -11,14 +11,16 @@
 #include <wm3d/key/key_file.hpp>
 
 #include "fixed_secret.hpp"
+#include "message_of.hpp"
 
 using namespace wm3d;
 using namespace wm3d::key;
+using key::test::message_of;
 
 namespace {
 
 /// Written by generate/protected_key.py; the passphrase is "correct horse ë".
-constexpr std::string_view frozen =
+constexpr std::string_view frozen_protected =
     "wm3d key, version 2\n"
     "# A comment.\n"
     "name: Museum of Casts\n"
@@ -35,15 +37,6 @@ constexpr ProtectionCost cheap{1, 8};
 
 AskPassphrase answer(const std::string& text) {
     return [text] { return Passphrase(std::string(text)); };
-}
-
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 /// The line of /proc/self/smaps that tells how the kernel treats the memory at `address`.
@@ -65,15 +58,17 @@ std::string flags_of(const void* address) {
 
 } // namespace
 
-TEST_CASE("a frozen protected key opens with its passphrase, and with no other") {
-    const Key key = Key::parse(frozen, "frozen.key", answer("correct horse \xc3\xab"));
+TEST_CASE("a frozen_protected protected key opens with its passphrase, and with no other") {
+    const Key key = Key::parse(frozen_protected, "frozen_protected.key", answer("correct horse \xc3\xab"));
     CHECK(key.name() == "Museum of Casts");
     CHECK(key.parameters() == PublicParameters{{4, 6}, 0.2, 0.03});
     CHECK(key.secret() == fixed_secret());
-    CHECK(message_of([] {
-              Key::parse(frozen, "frozen.key", answer("correct horse e"));
-          }).starts_with("frozen.key: the passphrase doesn't open this key"));
-    CHECK(message_of([] { Key::parse(frozen, "frozen.key"); }).find("--passphrase-fd") != std::string::npos);
+    CHECK(message_of<Error>([] {
+              Key::parse(frozen_protected, "frozen_protected.key", answer("correct horse e"));
+          }).starts_with("frozen_protected.key: the passphrase doesn't open this key"));
+    CHECK(message_of<Error>([] {
+              Key::parse(frozen_protected, "frozen_protected.key");
+          }).find("--passphrase-fd") != std::string::npos);
 }
 
 TEST_CASE("a protected key survives its text, which tells nothing of the secret") {
@@ -94,13 +89,13 @@ TEST_CASE("nobody is asked before all else is right") {
         ++asked;
         return Passphrase(std::string("x"));
     };
-    for (std::size_t at = 0; at < frozen.size() - 1; at += 3) {
-        std::string text(frozen);
+    for (std::size_t at = 0; at < frozen_protected.size() - 1; at += 3) {
+        std::string text(frozen_protected);
         text[at] = static_cast<char>(text[at] ^ 1);
         CHECK_THROWS_AS(Key::parse(text, "altered", ask), InputError);
     }
     CHECK(asked == 0);
-    CHECK_THROWS_AS(Key::parse(frozen, "frozen", ask), InputError);
+    CHECK_THROWS_AS(Key::parse(frozen_protected, "frozen_protected", ask), InputError);
     CHECK(asked == 1);
 }
 

@@ -10,12 +10,13 @@
 #include <wm3d/mesh/frame.hpp>
 #include <wm3d/shapes.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
 using namespace wm3d::masking;
+using masking::test::level;
 
 namespace {
-
-constexpr unsigned level = 4;
 
 /// A blob and a mark for it.
 struct Host {

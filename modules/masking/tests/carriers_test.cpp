@@ -12,12 +12,13 @@
 #include <wm3d/mesh/measure.hpp>
 #include <wm3d/shapes.hpp>
 
+#include "support.hpp"
+
 using namespace wm3d;
 using masking::Carriers;
+using masking::test::level;
 
 namespace {
-
-constexpr unsigned level = 4;
 
 TriangleMesh canonical(const TriangleMesh& mesh) {
     return to_frame(mesh, canonical_frame(mesh));

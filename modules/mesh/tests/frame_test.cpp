@@ -18,8 +18,8 @@ using namespace wm3d;
 
 namespace {
 
-/// A wedge-like tetrahedron with no symmetry.
-TriangleMesh tetrahedron() {
+/// A wedge-like uneven_tetrahedron with no symmetry.
+TriangleMesh uneven_tetrahedron() {
     return {{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}, {0.5, 0.25, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("moments of a rectangle are those of the formula") {
 }
 
 TEST_CASE("moments and frame don't depend on the triangulation") {
-    const TriangleMesh coarse = tetrahedron(), fine = split(split(coarse));
+    const TriangleMesh coarse = uneven_tetrahedron(), fine = split(split(coarse));
     const SurfaceMoments a = surface_moments(coarse), b = surface_moments(fine);
     CHECK((a.centroid - b.centroid).norm() < 1e-14);
     CHECK((a.covariance - b.covariance).norm() < 1e-14);
@@ -95,7 +95,7 @@ TEST_CASE("a sheet is a surface, a box without a small window a solid, one witho
     const TriangleMesh sheet{{{1, 1, 5}, {7, 1, 5}, {7, 3, 5}, {1, 3, 5}}, {{0, 1, 2}, {0, 2, 3}}};
     CHECK(shape_moments(sheet).substance() == Substance::surface);
     CHECK(solid_moments(sheet).openness == doctest::Approx(1));
-    const TriangleMesh fine = split(split(split(tetrahedron())));
+    const TriangleMesh fine = split(split(split(uneven_tetrahedron())));
     TriangleMesh window = fine, side = fine;
     window.triangles.erase(window.triangles.begin() + 5);
     side.triangles.erase(side.triangles.begin(),
@@ -108,8 +108,8 @@ TEST_CASE("a sheet is a surface, a box without a small window a solid, one witho
 }
 
 TEST_CASE("noise that moves a surface in and out leaves the solid's frame alone and shifts the surface's") {
-    // Half of the tetrahedron's vertices, those of positive x, jitter along fixed directions.
-    TriangleMesh mesh = tetrahedron();
+    // Half of the uneven_tetrahedron's vertices, those of positive x, jitter along fixed directions.
+    TriangleMesh mesh = uneven_tetrahedron();
     for (int i = 0; i < 7; ++i)
         mesh = split(mesh);
     mesh = weld(mesh.positions, mesh.triangles).mesh; // else the noise tears it open
@@ -131,7 +131,7 @@ TEST_CASE("noise that moves a surface in and out leaves the solid's frame alone 
 }
 
 TEST_CASE("the canonical frame follows a similarity transform") {
-    const TriangleMesh mesh = tetrahedron();
+    const TriangleMesh mesh = uneven_tetrahedron();
     const Mat3 rotation = Eigen::AngleAxisd(2.1, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
     TriangleMesh moved = mesh;
     for (Vec3& p : moved.positions)
@@ -142,7 +142,7 @@ TEST_CASE("the canonical frame follows a similarity transform") {
 }
 
 TEST_CASE("in the canonical frame the centroid is 0 and the mean radius 1, and the way back is exact") {
-    const TriangleMesh mesh = tetrahedron();
+    const TriangleMesh mesh = uneven_tetrahedron();
     const Frame frame = canonical_frame(mesh);
     CHECK(frame.axes.determinant() == doctest::Approx(1));
     const TriangleMesh moved = to_frame(mesh, frame);
@@ -166,10 +166,10 @@ TEST_CASE("the mean radius of a fine sphere-like surface is close to its radius"
 }
 
 TEST_CASE("the four sign choices are proper rotations, all different, the first unchanged") {
-    const std::array<Frame, 4> choices = sign_choices(canonical_frame(tetrahedron()));
+    const std::array<Frame, 4> choices = sign_choices(canonical_frame(uneven_tetrahedron()));
     for (const Frame& f : choices)
         CHECK(f.axes.determinant() == doctest::Approx(1));
-    CHECK(choices[0].axes == canonical_frame(tetrahedron()).axes);
+    CHECK(choices[0].axes == canonical_frame(uneven_tetrahedron()).axes);
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < i; ++j)
             CHECK((choices[i].axes - choices[j].axes).norm() > 1);
@@ -183,7 +183,7 @@ TEST_CASE("a surface without area has no frame, and the message says so") {
 
 TEST_CASE("a mesh whose powers leave the range of double is refused for its size") {
     const auto scaled = [](double factor) {
-        TriangleMesh mesh = split(split(tetrahedron()));
+        TriangleMesh mesh = split(split(uneven_tetrahedron()));
         for (Vec3& p : mesh.positions)
             p *= factor;
         return mesh;
@@ -197,7 +197,7 @@ TEST_CASE("a mesh whose powers leave the range of double is refused for its size
 }
 
 TEST_CASE("the frame has the same bits at one thread and at many") {
-    TriangleMesh mesh = tetrahedron();
+    TriangleMesh mesh = uneven_tetrahedron();
     for (int i = 0; i < 8; ++i)
         mesh = split(mesh);
     const Frame many = canonical_frame(mesh);

@@ -16,7 +16,7 @@ using namespace wm3d::payload;
 
 namespace {
 
-const key::Secret secret = key::null_secret(3, 1);
+const key::Secret carrier_secret = key::null_secret(3, 1);
 
 double dot(const std::vector<double>& a, const std::vector<double>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -26,7 +26,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST_CASE("what is modulated is demodulated, and every coded bit has its share of the vertices") {
     for (const unsigned level : {3u, 5u}) {
-        const Carrier carrier(secret, level, Format::bits64);
+        const Carrier carrier(carrier_secret, level, Format::bits64);
         std::vector<std::uint8_t> coded(512);
         for (std::size_t k = 0; k < coded.size(); ++k)
             coded[k] = k % 3 == 0;
@@ -46,21 +46,21 @@ TEST_CASE("what is modulated is demodulated, and every coded bit has its share o
 
 TEST_CASE("carriers of other keys, levels, formats and of the watermark itself have nothing in common") {
     const Message message = parse_message("0x1234");
-    const std::vector<double> one = payload_sequence(secret, 5, 0.1, message);
+    const std::vector<double> one = payload_sequence(carrier_secret, 5, 0.1, message);
     const double norm = dot(one, one);
     CHECK(norm / static_cast<double>(one.size()) == doctest::Approx(0.01 / 3)); // that of uniform numbers
     const std::vector<std::vector<double>> others{
         payload_sequence(key::null_secret(3, 2), 5, 0.1, message),
-        payload_sequence(secret, 5, 0.1, parse_message("12345678")),
-        payload_sequence(secret, 5, 0.1, parse_message("123456789")),
-        key::watermark_sequence(secret, 5, 0.1)};
+        payload_sequence(carrier_secret, 5, 0.1, parse_message("12345678")),
+        payload_sequence(carrier_secret, 5, 0.1, parse_message("123456789")),
+        key::watermark_sequence(carrier_secret, 5, 0.1)};
     for (const std::vector<double>& other : others)
         CHECK(std::abs(dot(one, other)) < 5 / std::sqrt(static_cast<double>(one.size())) * norm);
-    CHECK_THROWS_AS(Carrier(secret, key::max_level + 1, Format::bits64), ParameterError);
+    CHECK_THROWS_AS(Carrier(carrier_secret, key::max_level + 1, Format::bits64), ParameterError);
 }
 
 TEST_CASE("the sequence of a message is that of the independent generator") {
-    const std::vector<double> sequence = payload_sequence(secret, 3, 0.3, parse_message("frozen"));
+    const std::vector<double> sequence = payload_sequence(carrier_secret, 3, 0.3, parse_message("frozen"));
     for (std::size_t j = 0; j < std::string_view(frozen_payload).size(); ++j)
         CHECK((sequence[j] > 0) == (frozen_payload[j] == '+'));
 }

@@ -9,13 +9,13 @@
 #include <wm3d/payload/carrier.hpp>
 
 #include "channel.hpp"
+#include "support.hpp"
 
 using namespace wm3d;
 using namespace wm3d::payload;
+using payload::test::rmax;
 
 namespace {
-
-constexpr double rmax = 0.1;
 
 /// Messages of a format that are read right at a score, of `trials`; none may be read wrong.
 int read_right(const char* text, unsigned level, double sigmas, int trials) {

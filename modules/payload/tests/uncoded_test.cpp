@@ -8,13 +8,14 @@
 #include <wm3d/payload/sequence.hpp>
 
 #include "channel.hpp"
+#include "support.hpp"
 
 using namespace wm3d;
 using namespace wm3d::payload;
+using payload::test::rmax;
 
 namespace {
 
-constexpr double rmax = 0.1;
 constexpr unsigned level = 4;
 
 /// Of many marks that score `sigmas`, the share of payload bits that are decided wrong.

@@ -3,13 +3,12 @@
 
 #include <doctest/doctest.h>
 
+#include "contains.hpp"
+
 using namespace wm3d::report;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 HeatMap one_cell(const HeatCell& cell) {
     return {"title", "legend", {"row"}, {{"group", {"column"}, {{cell}}}}};

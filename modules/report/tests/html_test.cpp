@@ -3,15 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include "contains.hpp"
+
 using namespace wm3d::report;
-
-namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-} // namespace
+using test::contains;
 
 TEST_CASE("text of the user can't become markup") {
     Page page;

@@ -5,13 +5,12 @@
 
 #include <doctest/doctest.h>
 
+#include "contains.hpp"
+
 using namespace wm3d::report;
+using test::contains;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 Plot plot_of(std::vector<PlotPoint> points, Curve::Style style = Curve::Style::line) {
     Plot plot{"title", "x", "y", {}, 1e-30};

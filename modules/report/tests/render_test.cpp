@@ -6,11 +6,14 @@
 
 #include <wm3d/core/error.hpp>
 
+#include "contains.hpp"
+
 using namespace wm3d::report;
+using test::contains;
 
 namespace {
 
-Plot example() {
+Plot example_plot() {
     Plot plot{"ROC", "P_f", "P_m", {}, 1e-30};
     plot.curves.push_back({.name = "predicted", .points = {{1e-6, 1e-2}, {1e-3, 1e-5}}});
     plot.curves.push_back({.name = "measured",
@@ -18,10 +21,6 @@ Plot example() {
                            .colour = 1,
                            .points = {{1e-4, 1e-3, 1e-4, 1e-2}}});
     return plot;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
 }
 
 } // namespace
@@ -35,10 +34,10 @@ TEST_CASE("gnuplot draws every curve with its name, the labels and the intervals
         fmt::print("SKIPPED: gnuplot is not installed\n");
         return;
     }
-    const std::string svg = render(example(), Image::svg);
+    const std::string svg = render(example_plot(), Image::svg);
     for (const char* part : {"<svg", "predicted", "measured", "P_f", "P_m", "ROC", "</svg>"})
         CHECK_MESSAGE(contains(svg, part), part);
-    const std::string png = render(example(), Image::png);
+    const std::string png = render(example_plot(), Image::png);
     CHECK(png.starts_with("\x89PNG"));
 }
 

@@ -7,16 +7,16 @@ using wm3d::report::Table;
 
 namespace {
 
-Table example() {
+Table example_table() {
     return {{"name", "P_m"}, {{"n = 5", "1e-3"}, {"γ", "12"}}};
 }
 
 } // namespace
 
 TEST_CASE("text columns are aligned by what is seen, numbers to the right") {
-    CHECK(to_text(example()) == "name    P_m\n"
-                                "n = 5  1e-3\n"
-                                "γ        12\n");
+    CHECK(to_text(example_table()) == "name    P_m\n"
+                                      "n = 5  1e-3\n"
+                                      "γ        12\n");
 }
 
 TEST_CASE("CSV quotes what would break a line or a column") {

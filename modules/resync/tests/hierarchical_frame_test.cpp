@@ -7,15 +7,12 @@
 #include <wm3d/shapes/sample.hpp>
 #include <wm3d/shapes/shapes.hpp>
 
+#include "moved.hpp"
+
 using namespace wm3d;
+using resync::test::moved;
 
 namespace {
-
-TriangleMesh moved(TriangleMesh mesh, const resync::Similarity& t) {
-    for (Vec3& p : mesh.positions)
-        p = t(p);
-    return mesh;
-}
 
 resync::FrameEstimate estimate(const TriangleMesh& mesh) {
     return resync::estimate_frame(mesh, mesh, {.levels = {1500, 500}});

@@ -8,20 +8,17 @@
 #include <wm3d/shapes/sample.hpp>
 #include <wm3d/shapes/shapes.hpp>
 
+#include "moved.hpp"
+
 using namespace wm3d;
 using resync::Registration;
 using resync::Similarity;
+using resync::test::moved;
 
 namespace {
 
 const Similarity far_away{Eigen::AngleAxisd(2.4, Vec3(1, 2, -0.5).normalized()).toRotationMatrix(), 7.5,
                           Vec3(20, -3, 11)};
-
-TriangleMesh moved(TriangleMesh mesh, const Similarity& t) {
-    for (Vec3& p : mesh.positions)
-        p = t(p);
-    return mesh;
-}
 
 TriangleMesh lumpy() {
     return shapes::blob(6000, 5);

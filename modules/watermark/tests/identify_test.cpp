@@ -17,7 +17,6 @@ using namespace wm3d::watermark;
 
 namespace {
 
-const key::Key key_of_tests = fixed_key();
 constexpr const char* work = "the digest of the blob";
 
 std::string buyer(std::size_t number) {
@@ -28,7 +27,7 @@ Marked marked(const TriangleMesh& mesh, const payload::Content& content) {
     MarkOptions options;
     options.strength = 0.1;
     options.content = content;
-    return mark(mesh, key_of_tests, options);
+    return mark(mesh, fixed_key(), options);
 }
 
 /// Copies of a work for `count` buyers, as a ledger would list them.
@@ -45,7 +44,7 @@ IdentifyReport identified(const TriangleMesh& mesh, const std::vector<Vec3>& pos
     suspect.positions = positions;
     IdentifyOptions options;
     options.verify.search = SearchUse::never;
-    return identify(suspect, key_of_tests, copies, options);
+    return identify(suspect, fixed_key(), copies, options);
 }
 
 /// What lies on one side of a plane.
@@ -66,12 +65,12 @@ TEST_CASE("copies are read on more vertices than the mark was found on") {
     IdentifyOptions options;
     options.verify.search = SearchUse::never;
     options.verify.vertices = 6500;
-    const IdentifyReport report = identify({one.positions, mesh.triangles}, key_of_tests, copies, options);
+    const IdentifyReport report = identify({one.positions, mesh.triangles}, fixed_key(), copies, options);
     REQUIRE(report.mark.verdict == detect::Verdict::present);
     CHECK(report.mark.base_vertices == 6500);
     const std::vector<std::uint64_t> numbers{copies[3].number};
     const double on_fewer =
-        payload::copy_scores(key_of_tests.secret(), report.mark.statistic, numbers).front();
+        payload::copy_scores(fixed_key().secret(), report.mark.statistic, numbers).front();
     CHECK(report.best_sigmas > 1.1 * on_fewer);
     REQUIRE(report.accused.size() == 1);
     CHECK(report.accused[0].copy == 3);
@@ -110,16 +109,16 @@ TEST_CASE("a part of a copy is told by the receipt of its work, in whatever orde
     const TriangleMesh mesh = shapes::blob(12000, 4), other = shapes::blob(12000, 5);
     const Marked one = marked(mesh, {{}, payload::CopyLabel{work, buyer(3)}});
     const std::vector<IssuedCopy> copies = issued(20, one.level);
-    std::vector<resync::Receipt> receipts{make_receipt(other, one, key_of_tests, "other", "copy"),
-                                          make_receipt(mesh, one, key_of_tests, "work", "copy")};
+    std::vector<resync::Receipt> receipts{make_receipt(other, one, fixed_key(), "other", "copy"),
+                                          make_receipt(mesh, one, fixed_key(), "work", "copy")};
     receipts[0].frame = canonical_frame(other);
     const TriangleMesh part = half({one.positions, mesh.triangles});
     IdentifyOptions options;
     options.verify.search = SearchUse::never;
-    CHECK(identify(part, key_of_tests, copies, options).accused.empty());
+    CHECK(identify(part, fixed_key(), copies, options).accused.empty());
 
     options.receipts = receipts;
-    const IdentifyReport report = identify(part, key_of_tests, copies, options);
+    const IdentifyReport report = identify(part, fixed_key(), copies, options);
     CHECK(report.receipts_tried == 2);
     CHECK(report.receipt == 1);
     CHECK(report.is_owners());
@@ -127,12 +126,12 @@ TEST_CASE("a part of a copy is told by the receipt of its work, in whatever orde
     CHECK(report.accused[0].copy == 3);
 
     // Where the quick look finds the mark, no receipt is needed.
-    const IdentifyReport whole = identify({one.positions, mesh.triangles}, key_of_tests, copies, options);
+    const IdentifyReport whole = identify({one.positions, mesh.triangles}, fixed_key(), copies, options);
     CHECK(whole.receipts_tried == 0);
     CHECK_FALSE(whole.receipt);
     CHECK(whole.accused.size() == 1);
     // A part of what was never marked is no more the owner's for all the receipts.
-    const IdentifyReport innocent = identify(half(mesh), key_of_tests, copies, options);
+    const IdentifyReport innocent = identify(half(mesh), fixed_key(), copies, options);
     CHECK(innocent.receipts_tried == 2);
     CHECK_FALSE(innocent.is_owners());
 }
@@ -143,7 +142,7 @@ TEST_CASE("a part of a copy is told in the pose that a search finds, without any
     IdentifyOptions options;
     options.verify.effort = 0.3;
     const IdentifyReport report =
-        identify(half({one.positions, mesh.triangles}), key_of_tests, issued(20, one.level), options);
+        identify(half({one.positions, mesh.triangles}), fixed_key(), issued(20, one.level), options);
     CHECK(report.mark.pose_origin == "search");
     REQUIRE(report.accused.size() == 1);
     CHECK(report.accused[0].copy == 3);

@@ -37,8 +37,6 @@ struct Workshop {
     }
 };
 
-const key::Key key_of_tests = fixed_key();
-
 /// A small model needs a stronger mark than a scan.
 MarkFileOptions strong() {
     MarkFileOptions options;
@@ -56,15 +54,15 @@ TEST_CASE("a marked file differs in coordinates alone, and verify finds the mark
     const Workshop shop(shapes::blob(4000, 4));
     MarkFileOptions options = strong();
     options.receipt = shop.receipt;
-    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, options);
+    const MarkedFile report = mark_file(shop.in, shop.out, fixed_key(), options);
     REQUIRE(report.written);
     CHECK(report.reason.empty());
 
     const io::Model written = io::read(shop.out);
-    const VerifyReport found = verify(written.mesh(), key_of_tests);
+    const VerifyReport found = verify(written.mesh(), fixed_key());
     CHECK(found.verdict == detect::Verdict::present);
     CHECK(found.score.log10_p == report.check.score.log10_p); // the check read the very bytes
-    CHECK(verify(io::read(shop.in).mesh(), key_of_tests).verdict != detect::Verdict::present);
+    CHECK(verify(io::read(shop.in).mesh(), fixed_key()).verdict != detect::Verdict::present);
 
     std::istringstream before(io::read_file(shop.in)), after(io::read_file(shop.out));
     std::size_t moved = 0;
@@ -77,7 +75,7 @@ TEST_CASE("a marked file differs in coordinates alone, and verify finds the mark
     CHECK(moved > 3000);
 
     const resync::Receipt receipt = resync::parse_receipt(io::read_file(shop.receipt), "receipt.json");
-    CHECK(receipt.key_commitment == key_of_tests.commitment());
+    CHECK(receipt.key_commitment == fixed_key().commitment());
     CHECK(receipt.original.sha256 == resync::digest_of(io::read_file(shop.in)).sha256);
     CHECK(receipt.marked.sha256 == resync::digest_of(io::read_file(shop.out)).sha256);
 }
@@ -86,7 +84,7 @@ TEST_CASE("nothing is written where the mark would not be found again") {
     const Workshop shop(tetrahedron());
     MarkFileOptions options;
     options.receipt = shop.receipt;
-    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, options);
+    const MarkedFile report = mark_file(shop.in, shop.out, fixed_key(), options);
     CHECK_FALSE(report.written);
     CHECK(report.reason.find("too small, too plain") != std::string::npos);
     CHECK(shop.files() == 1);
@@ -98,14 +96,14 @@ TEST_CASE("a weak mark on an open model is given up without a search for minutes
     MarkModelOptions options;
     options.mark.strength = 1e-4;
     const io::Model weak = io::parse(io::encode(open, io::Format::obj), io::Format::obj, "open.obj");
-    const MarkedModel lost = mark_model(weak, key_of_tests, options);
+    const MarkedModel lost = mark_model(weak, fixed_key(), options);
     CHECK(lost.loss == Loss::power);
     CHECK((!lost.check.search || lost.check.search->centres == 0));
 
     options.mark.strength = 0.2;
     const io::Model gear =
         io::parse(io::encode(shapes::gear(24, 8000), io::Format::obj), io::Format::obj, "gear.obj");
-    const MarkedModel found = mark_model(gear, key_of_tests, options);
+    const MarkedModel found = mark_model(gear, fixed_key(), options);
     CHECK(found.marked.ambiguity != resync::Ambiguity::none);
     CHECK(found.loss == Loss::none);
 }
@@ -116,7 +114,7 @@ TEST_CASE(
     for (Vec3& p : far.positions)
         p += Vec3(4.2e6, 6e5, 4.7e6);
     const auto marked = [&](io::Format format) {
-        return mark_model(io::parse(io::encode(far, format), format, "far"), key_of_tests, {});
+        return mark_model(io::parse(io::encode(far, format), format, "far"), fixed_key(), {});
     };
     CHECK(marked(io::Format::obj).loss == Loss::none);
     const MarkedModel coarse = marked(io::Format::stl); // always in single precision
@@ -137,7 +135,7 @@ TEST_CASE("a part too small for any digit of the whole's own frame keeps its fac
         mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     MarkOptions options;
     options.strength = 0.3;
-    const Marked marked = mark(mesh, key_of_tests, options);
+    const Marked marked = mark(mesh, fixed_key(), options);
     CHECK(marked.positions != mesh.positions);
     CHECK(embed::turned_faces(mesh, marked.positions).empty());
 }
@@ -145,17 +143,17 @@ TEST_CASE("a part too small for any digit of the whole's own frame keeps its fac
 TEST_CASE("a file in the way is found out before any work, and left alone") {
     const Workshop shop(tetrahedron());
     io::write_file(shop.out, "mine");
-    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.out, key_of_tests), doctest::Contains("the file exists"),
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.out, fixed_key()), doctest::Contains("the file exists"),
                          OutputError);
     CHECK(io::read_file(shop.out) == "mine");
     MarkFileOptions options;
     options.receipt = shop.out;
-    CHECK_THROWS_AS(mark_file(shop.in, shop.folder / "new.obj", key_of_tests, options), OutputError);
-    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "none/out.obj", key_of_tests),
+    CHECK_THROWS_AS(mark_file(shop.in, shop.folder / "new.obj", fixed_key(), options), OutputError);
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "none/out.obj", fixed_key()),
                          doctest::Contains("there is no folder"), OutputError);
-    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.ply", key_of_tests),
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.ply", fixed_key()),
                          doctest::Contains("has to be a .obj"), ParameterError);
-    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.xyz", key_of_tests),
+    CHECK_THROWS_WITH_AS(mark_file(shop.in, shop.folder / "out.xyz", fixed_key()),
                          doctest::Contains("names no known format"), ParameterError);
     CHECK(shop.files() == 2);
 }
@@ -168,7 +166,7 @@ TEST_CASE("a refusal doesn't search for the marks of all sizes that it tries") {
         looks += stage == "examining the surface" && done == 0 ? 1 : 0;
         searches += stage == "searching all poses" ? 1 : 0;
     };
-    const MarkedFile report = mark_file(shop.in, shop.out, key_of_tests, {}, count);
+    const MarkedFile report = mark_file(shop.in, shop.out, fixed_key(), {}, count);
     CHECK_FALSE(report.written);
     CHECK(report.reason.find("no larger mark that was tried would do") != std::string::npos);
     CHECK(looks > 1);

@@ -18,15 +18,10 @@ using namespace wm3d::watermark;
 
 namespace {
 
-const key::Key& test_key() {
-    static const key::Key key = fixed_key();
-    return key;
-}
-
 TriangleMesh marked(TriangleMesh mesh) {
     MarkOptions options;
     options.strength = 0.12;
-    mesh.positions = mark(mesh, test_key(), options).positions;
+    mesh.positions = mark(mesh, fixed_key(), options).positions;
     return mesh;
 }
 
@@ -47,7 +42,7 @@ void turn(TriangleMesh& mesh) {
 VerifyReport look(const TriangleMesh& mesh, double effort = 0.3) {
     VerifyOptions options;
     options.effort = effort;
-    return verify(mesh, test_key(), options);
+    return verify(mesh, fixed_key(), options);
 }
 
 } // namespace
@@ -124,7 +119,7 @@ TEST_CASE(
     turn(stretched);
     VerifyOptions by_axes;
     by_axes.search = SearchUse::never;
-    CHECK(verify(stretched, test_key(), by_axes).verdict != detect::Verdict::present);
+    CHECK(verify(stretched, fixed_key(), by_axes).verdict != detect::Verdict::present);
     const VerifyReport report = look(stretched, 1);
     CHECK(report.verdict == detect::Verdict::present);
     CHECK(report.pose_origin == "search");
