@@ -10,6 +10,7 @@ if(WM3D_TESTS)
     file(WRITE ${CMAKE_BINARY_DIR}/doctest_main.cpp
         "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n")
     add_library(wm3d_doctest_main STATIC ${CMAKE_BINARY_DIR}/doctest_main.cpp)
+    wm3d_not_hot(wm3d_doctest_main)
     target_link_libraries(wm3d_doctest_main PUBLIC wm3d::third::doctest)
     target_compile_features(wm3d_doctest_main PUBLIC cxx_std_20)
     target_include_directories(wm3d_doctest_main PUBLIC ${PROJECT_SOURCE_DIR}/tests/support) # what tests share
