@@ -5,10 +5,8 @@
 
 add_custom_target(wm3d_headers)
 
-set(empty ${PROJECT_BINARY_DIR}/eigen_precompiled.cpp)
-file(WRITE ${empty}.new "// What is precompiled for the check of headers has no source of its own.\n")
-file(COPY_FILE ${empty}.new ${empty} ONLY_IF_DIFFERENT)
-add_library(wm3d_eigen_precompiled OBJECT EXCLUDE_FROM_ALL ${empty})
+file(CONFIGURE OUTPUT eigen_precompiled.cpp CONTENT "// What is precompiled for the check of headers has no source of its own.\n")
+add_library(wm3d_eigen_precompiled OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/eigen_precompiled.cpp)
 target_link_libraries(wm3d_eigen_precompiled PRIVATE wm3d::third::eigen)
 target_compile_features(wm3d_eigen_precompiled PRIVATE cxx_std_20)
 target_precompile_headers(wm3d_eigen_precompiled PRIVATE <Eigen/Core>)

@@ -7,7 +7,7 @@
 
 if(WM3D_TESTS)
     include(Wm3dHeaders)
-    file(WRITE ${CMAKE_BINARY_DIR}/doctest_main.cpp
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/doctest_main.cpp CONTENT
         "#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN\n#include <doctest/doctest.h>\n")
     add_library(wm3d_doctest_main STATIC ${CMAKE_BINARY_DIR}/doctest_main.cpp)
     wm3d_not_hot(wm3d_doctest_main)
