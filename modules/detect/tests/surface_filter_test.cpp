@@ -2,7 +2,6 @@
 #include <wm3d/detect/surface_filter.hpp>
 
 #include <cmath>
-#include <numeric>
 
 #include <doctest/doctest.h>
 

@@ -2,7 +2,6 @@
 #include <wm3d/key/key_file.hpp>
 
 #include <fstream>
-#include <functional>
 #include <sstream>
 
 #include <doctest/doctest.h>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <wm3d/key/key_file.hpp>
 
-#include <functional>
-
 #include <doctest/doctest.h>
 #include <wm3d/core/error.hpp>
 
@@ -40,8 +38,8 @@ bool says(std::string_view text, std::string_view what) {
 
 } // namespace
 
-TEST_CASE("a frozen_open key file is read") {
-    const Key key = Key::parse(frozen_open, "frozen_open.key");
+TEST_CASE("a frozen key file is read") {
+    const Key key = Key::parse(frozen_open, "frozen.key");
     CHECK(key.name() == "Museum of Casts");
     CHECK(key.created_by() == "wm3d 0.1.0");
     CHECK(key.parameters() == PublicParameters{{4, 6}, 0.2, 0.03});

@@ -18,7 +18,7 @@ using namespace wm3d;
 
 namespace {
 
-/// A wedge-like uneven_tetrahedron with no symmetry.
+/// A wedge-like tetrahedron with no symmetry.
 TriangleMesh uneven_tetrahedron() {
     return {{{0, 0, 0}, {4, 0, 0}, {0, 2, 0}, {0.5, 0.25, 1}}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
 }
@@ -108,7 +108,7 @@ TEST_CASE("a sheet is a surface, a box without a small window a solid, one witho
 }
 
 TEST_CASE("noise that moves a surface in and out leaves the solid's frame alone and shifts the surface's") {
-    // Half of the uneven_tetrahedron's vertices, those of positive x, jitter along fixed directions.
+    // Half of the tetrahedron's vertices, those of positive x, jitter along fixed directions.
     TriangleMesh mesh = uneven_tetrahedron();
     for (int i = 0; i < 7; ++i)
         mesh = split(mesh);
