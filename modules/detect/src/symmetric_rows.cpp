@@ -5,9 +5,9 @@
 #include <array>
 #include <span>
 
-#include <wm3d/core/filed.hpp>
 #include <wm3d/core/parallel.hpp>
-#include <wm3d/mesh/measure.hpp>
+
+#include "edge_order.hpp"
 
 namespace wm3d::detect {
 
@@ -24,102 +24,82 @@ std::vector<std::array<Value, 3>> half_cotangents(const TriangleMesh& mesh) {
     std::vector<std::array<Value, 3>> weights(mesh.triangles.size());
     parallel_blocks(weights.size(), row_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            const double twice_area = std::max(area_vector(mesh, f).norm(), 1e-300);
-            const Triangle& t = mesh.triangles[f];
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vec3& apex = mesh.positions[t[k]];
-                const Vec3 a = mesh.positions[t[(k + 1) % 3]] - apex,
-                           b = mesh.positions[t[(k + 2) % 3]] - apex;
-                weights[f][k] =
-                    static_cast<Value>(std::clamp(0.5 * a.dot(b) / twice_area, least_weight, most_weight));
-            }
+            const auto& [i, j, k] = mesh.triangles[f];
+            const Vec3 &a = mesh.positions[i], &b = mesh.positions[j], &c = mesh.positions[k];
+            const Vec3 ab = b - a, bc = c - b, ca = a - c;
+            const double scale = 0.5 / std::max(ab.cross(ca).norm(), 1e-300); // over twice the area
+            const auto weight = [&](double product) {
+                return static_cast<Value>(std::clamp(-product * scale, least_weight, most_weight));
+            };
+            weights[f] = {weight(ca.dot(ab)), weight(ab.dot(bc)), weight(bc.dot(ca))};
         }
     });
     return weights;
 }
 
-/// The triangles at each vertex, ascending.
-Filed<Index> triangles_at_vertices(const TriangleMesh& mesh) {
-    return filed<Index>(mesh.positions.size(), mesh.triangles.size(), [&](auto&& file) {
-        for (Index f = 0; f < mesh.triangles.size(); ++f)
-            for (const Index v : mesh.triangles[f])
-                file(v, [&] { return f; });
+/// Calls visit(low, high, weight) for every edge, in ascending order.
+template<typename Value, typename Visitor>
+void for_each_weight(const Filed<Spoke<Value>>& upward, Visitor&& visit) {
+    for_each_edge(upward, [&](Index low, Index high, std::span<const Spoke<Value>> spokes) {
+        double weight = 0;
+        for (const Spoke<Value>& s : spokes)
+            weight += s.value;
+        visit(low, high, weight);
     });
-}
-
-struct Entry {
-    Index column;
-    double value;
-};
-
-/// One entry for each triangle at each edge of a vertex, by columns.
-template<typename Value>
-void edge_entries(const TriangleMesh& mesh, std::span<const std::array<Value, 3>> weights,
-                  std::span<const Index> triangles, Index v, std::vector<Entry>& entries) {
-    entries.clear();
-    for (const Index f : triangles) {
-        const Triangle& t = mesh.triangles[f];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Index i = t[(k + 1) % 3], j = t[(k + 2) % 3];
-            if (i == v || j == v)
-                entries.push_back({i == v ? j : i, -double{weights[f][k]}});
-        }
-    }
-    std::ranges::sort(entries, {}, &Entry::column); // two of a column, but where edges have more triangles
-}
-
-std::size_t neighbours(const TriangleMesh& mesh, std::span<const Index> triangles, Index v,
-                       std::vector<Index>& others) {
-    others.clear();
-    for (const Index f : triangles)
-        std::ranges::copy_if(mesh.triangles[f], std::back_inserter(others), [&](Index u) { return u != v; });
-    std::ranges::sort(others);
-    return static_cast<std::size_t>(std::unique(others.begin(), others.end()) - others.begin());
 }
 
 } // namespace
 
 template<typename Value>
-SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh) {
-    const Filed<Index> around = triangles_at_vertices(mesh);
-    const std::vector<std::array<Value, 3>> weights = half_cotangents<Value>(mesh);
-    const std::size_t count = mesh.positions.size();
-    SymmetricRowsOf<Value> rows;
-    rows.diagonal.resize(count);
-    rows.start.assign(count + 1, 0);
-    parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Index> others;
-        for (std::size_t v = begin; v < end; ++v)
-            rows.start[v + 1] =
-                static_cast<Index>(neighbours(mesh, around.under(v), static_cast<Index>(v), others));
+SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh, Index multiple) {
+    const Filed<Spoke<Value>> upward =
+        upward_spokes<Value>(mesh, [weights = half_cotangents<Value>(mesh)](std::size_t f, std::size_t k) {
+            return weights[f][k];
+        });
+    const std::size_t count = mesh.positions.size(), triangles = mesh.triangles.size();
+    std::vector<Index> below(count, 0), next(count, 0); // entries left of the diagonal, and right of it
+    parallel_shares(count, triangles, [&](std::size_t begin, std::size_t end) {
+        for_each_weight(upward, [&](Index low, Index high, double) {
+            if (low >= begin && low < end)
+                ++next[low];
+            if (high >= begin && high < end)
+                ++below[high];
+        });
     });
-    for (std::size_t v = 0; v < count; ++v)
-        rows.start[v + 1] += rows.start[v];
+    SymmetricRowsOf<Value> rows;
+    rows.start.assign(count + 1, 0);
+    for (std::size_t v = 0; v < count; ++v) {
+        rows.start[v + 1] = rows.start[v] + (below[v] + next[v] + multiple - 1) / multiple * multiple;
+        next[v] = rows.start[v] + below[v];
+        below[v] = rows.start[v];
+    }
     rows.column.resize(rows.start.back());
     rows.value.resize(rows.start.back());
-    parallel_blocks(count, row_block, [&](std::size_t begin, std::size_t end) {
-        std::vector<Entry> entries;
+    rows.diagonal.resize(count);
+    const auto set = [&](Index place, Index column, double weight) {
+        rows.column[place] = column;
+        rows.value[place] = static_cast<Value>(-weight);
+    };
+    parallel_shares(count, triangles, [&](std::size_t begin, std::size_t end) {
+        for_each_weight(upward, [&](Index low, Index high, double weight) {
+            if (low >= begin && low < end)
+                set(next[low]++, high, weight);
+            if (high >= begin && high < end)
+                set(below[high]++, low, weight);
+        });
         for (std::size_t v = begin; v < end; ++v) {
-            edge_entries<Value>(mesh, weights, around.under(v), static_cast<Index>(v), entries);
-            double diagonal = 0;
-            Index place = rows.start[v];
-            for (std::size_t i = 0; i < entries.size();) {
-                double sum = 0;
-                const Index column = entries[i].column;
-                for (; i < entries.size() && entries[i].column == column; ++i) {
-                    diagonal -= entries[i].value;
-                    sum += entries[i].value;
-                }
-                rows.column[place] = column;
-                rows.value[place++] = static_cast<Value>(sum);
-            }
-            rows.diagonal[v] = static_cast<Value>(diagonal);
+            double sum = 0;
+            for (Index e = rows.start[v]; e < next[v]; ++e)
+                sum -= rows.value[e];
+            rows.diagonal[v] = static_cast<Value>(sum);
+            for (Index e = next[v]; e < rows.start[v + 1]; ++e)
+                set(e, static_cast<Index>(v), 0);
         }
     });
     return rows;
 }
 
-template SymmetricRowsOf<float> cotangent_laplacian(const TriangleMesh&);
-template SymmetricRowsOf<double> cotangent_laplacian(const TriangleMesh&);
+template SymmetricRowsOf<float> cotangent_laplacian(const TriangleMesh&, Index);
+template SymmetricRowsOf<double> cotangent_laplacian(const TriangleMesh&, Index);
 
 } // namespace wm3d::detect

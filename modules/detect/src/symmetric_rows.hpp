@@ -20,10 +20,11 @@ struct SymmetricRowsOf {
 using SymmetricRows = SymmetricRowsOf<double>;
 
 /// Half cotangents at the edges, clamped so that the matrix stays positive; any triangles. Sums are made in double.
+/// \param multiple  every row is filled up to a multiple of so many entries by zeros, whose column is the row's own
 template<typename Value>
-SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh);
+SymmetricRowsOf<Value> cotangent_laplacian(const TriangleMesh& mesh, Index multiple = 1);
 
-extern template SymmetricRowsOf<float> cotangent_laplacian(const TriangleMesh&);
-extern template SymmetricRowsOf<double> cotangent_laplacian(const TriangleMesh&);
+extern template SymmetricRowsOf<float> cotangent_laplacian(const TriangleMesh&, Index);
+extern template SymmetricRowsOf<double> cotangent_laplacian(const TriangleMesh&, Index);
 
 } // namespace wm3d::detect
