@@ -2,6 +2,7 @@
 /// \file  Conjugate gradients for systems that know how to multiply, whether or not there is a matrix.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +24,10 @@ void solve(const System& a, const Together<K>& y, Together<K>& x, double toleran
     Together<K> r(n), p(n), q(n);
     std::vector<double> scale(n);
     std::array<double, K> limit{}, left{}, rz{};
-    a.times(x, q);
+    const bool from_zero = std::ranges::all_of(
+        x, [](const std::array<double, K>& row) { return row == std::array<double, K>{}; });
+    if (!from_zero) // else q is A x as it is made
+        a.times(x, q);
     for (std::size_t i = 0; i < n; ++i) {
         scale[i] = 1 / a.diagonal(i);
         for (std::size_t k = 0; k < K; ++k) {

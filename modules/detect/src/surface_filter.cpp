@@ -59,7 +59,7 @@ SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_un
     for (double& m : operators_->mass)
         m = std::max(m, least);
     if (mesh.positions.size() < many_rows)
-        operators_->laplacian = cotangent_laplacian<double>(mesh);
+        operators_->laplacian = cotangent_laplacian<double>(mesh, entries_at_once);
     else
         operators_->dense.emplace(mesh, operators_->mass);
 }
