@@ -7,17 +7,17 @@
 
 #include <Eigen/Geometry>
 
-#include <wm3d/mesh/sides.hpp>
+#include "edge_order.hpp"
 
 namespace wm3d::detect {
 
 namespace {
 
-/// A hinge as the vertices lie.
+/// A hinge as the vertices lie. Of c and n no more is told than their products.
 struct Fold {
     std::array<double, 4> c{};
-    Vec3 normal = Vec3::Zero();
-    double size = 0; ///< r
+    Vec3 normal = Vec3::Zero(); ///< n over the length of this c
+    double size = 0;            ///< r
 };
 
 /// Nothing of vertices that make no hinge.
@@ -32,32 +32,39 @@ std::optional<Fold> fold_of(std::span<const Vec3> positions, const std::array<In
     const double left_height = left.norm(), right_height = right.norm(); // times the length of the edge
     if (!(left_height > flat * square && right_height > flat * square))
         return std::nullopt;
-    const Vec3 normal = left / left_height + right / right_height;
-    if (!(normal.norm() > folded_back))
+    // The sum of the unit normals, times both heights.
+    const Vec3 normal = right_height * left + left_height * right;
+    const double folded = folded_back * left_height * right_height;
+    if (!(normal.squaredNorm() > folded * folded))
         return std::nullopt;
-    // Unfolded, the line between the opposite corners meets the edge's at this part of each.
-    const double across = left_height / (left_height + right_height);
-    const double along = std::lerp(edge.dot(to_left), edge.dot(to_right), across) / square;
-    const Eigen::Vector4d c = Eigen::Vector4d(along - 1, -along, 1 - across, across).normalized();
-    const Vec3 unit = normal.normalized();
+    // Unfolded, the line between the opposite corners meets the edge's at `along` of the one and left_height /
+    // (left_height + right_height) of the other; all of c is times what these would be divided by.
+    const double whole = square * (left_height + right_height);
+    const double along = right_height * edge.dot(to_left) + left_height * edge.dot(to_right);
+    const Eigen::Vector4d c(along - whole, -along, square * right_height, square * left_height);
+    const double lengths = c.squaredNorm() * normal.squaredNorm();
+    if (!(lengths > 0))
+        return std::nullopt;
+    const Vec3 scaled = normal / std::sqrt(lengths);
     return Fold{{c[0], c[1], c[2], c[3]},
-                unit,
-                unit.dot(c[1] * edge + c[2] * to_left + c[3] * to_right)}; // c sums to 0
+                scaled,
+                scaled.dot(c[1] * edge + c[2] * to_left + c[3] * to_right)}; // c sums to 0
 }
 
 } // namespace
 
 Hinges::Hinges(const TriangleMesh& mesh, std::span<const Vec3> normals) : vertices_(normals.size()) {
-    const std::vector<Side> sides = sorted_sides(mesh);
-    const std::size_t most = sides.size() / 2;
+    const Filed<Spoke<Index>> upward =
+        upward_spokes<Index>(mesh, [&](std::size_t f, std::size_t k) { return mesh.triangles[f][k]; });
+    const std::size_t most = upward.values.size() / 2;
     ends_.reserve(most);
     couplings_.reserve(most);
     folds_.reserve(most);
-    for_each_edge(sides, [&](std::span<const Side> edge) {
-        if (edge.size() != 2)
+    for_each_edge(upward, [&](Index low, Index high, std::span<const Spoke<Index>> corners) {
+        if (corners.size() != 2)
             return;
-        const auto [left, right] = std::minmax({opposite(mesh, edge[0]), opposite(mesh, edge[1])});
-        const std::array<Index, 4> ends{edge[0].low, edge[0].high, left, right};
+        const auto [left, right] = std::minmax({corners[0].value, corners[1].value});
+        const std::array<Index, 4> ends{low, high, left, right};
         const std::optional<Fold> fold = fold_of(mesh.positions, ends);
         if (!fold)
             return;
