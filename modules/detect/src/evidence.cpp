@@ -50,7 +50,7 @@ std::vector<double> evened(std::vector<double> c) {
 Geometry::Geometry(const TriangleMesh& mesh, int steps, bool diffuses)
     : calming(steps), positions(mesh.positions), normals(vertex_normals(mesh)), area(vertex_areas(mesh)) {
     if (diffuses)
-        surface.emplace(mesh);
+        surface.emplace(mesh, area);
 }
 
 std::string describe(const Filter& filter) {

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/measure.hpp>
@@ -50,9 +52,12 @@ struct SurfaceFilter::Operators {
     Diffusion system(double t) const { return {mass, laplacian, t}; }
 };
 
-SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : operators_(std::make_unique<Operators>()) {
-    operators_->mass = vertex_areas(mesh);
-    const double total = surface_area(mesh);
+SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh) : SurfaceFilter(mesh, vertex_areas(mesh)) {}
+
+SurfaceFilter::SurfaceFilter(const TriangleMesh& mesh, std::vector<double> areas)
+    : operators_(std::make_unique<Operators>()) {
+    operators_->mass = std::move(areas);
+    const double total = std::accumulate(operators_->mass.begin(), operators_->mass.end(), 0.0);
     // A vertex without area (isolated, or in degenerate triangles alone) still needs a row that can be
     // solved.
     const double least = 1e-9 * total / static_cast<double>(std::max<std::size_t>(mesh.positions.size(), 1));

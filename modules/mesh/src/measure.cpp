@@ -16,6 +16,12 @@ void extend(Box& box, const Vec3& p) {
     box.max = box.max.cwiseMax(p);
 }
 
+/// Here for the loops of this file.
+inline Vec3 vector_of(const TriangleMesh& mesh, const Triangle& t) {
+    const Vec3& a = mesh.positions[t[0]];
+    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
+
 } // namespace
 
 Box bounding_box(std::span<const Vec3> points) {
@@ -51,16 +57,14 @@ Box surface_box(const TriangleMesh& mesh) {
 }
 
 Vec3 area_vector(const TriangleMesh& mesh, std::size_t f) {
-    const Triangle& t = mesh.triangles[f];
-    const Vec3& a = mesh.positions[t[0]];
-    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+    return vector_of(mesh, mesh.triangles[f]);
 }
 
 std::vector<double> triangle_areas(const TriangleMesh& mesh) {
     std::vector<double> areas(mesh.triangles.size());
     parallel_blocks(areas.size(), measure_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            areas[f] = 0.5 * area_vector(mesh, f).norm();
+            areas[f] = 0.5 * vector_of(mesh, mesh.triangles[f]).norm();
     });
     return areas;
 }
@@ -69,10 +73,12 @@ std::vector<double> vertex_areas(const TriangleMesh& mesh) {
     const std::vector<double> of_triangle = triangle_areas(mesh);
     std::vector<double> areas(mesh.positions.size(), 0.0);
     parallel_shares(areas.size(), of_triangle.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = 0; f < of_triangle.size(); ++f)
+        for (std::size_t f = 0; f < of_triangle.size(); ++f) {
+            const double third = of_triangle[f] / 3;
             for (Index v : mesh.triangles[f])
                 if (v >= begin && v < end)
-                    areas[v] += of_triangle[f] / 3;
+                    areas[v] += third;
+        }
     });
     return areas;
 }
@@ -84,7 +90,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
         for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
             if (std::ranges::none_of(mesh.triangles[f], is_own))
                 continue;
-            const Vec3 weighted = area_vector(mesh, f);
+            const Vec3 weighted = vector_of(mesh, mesh.triangles[f]);
             for (Index v : mesh.triangles[f])
                 if (is_own(v))
                     normals[v] += weighted;
@@ -98,7 +104,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 
 double surface_area(const TriangleMesh& mesh) {
     return parallel_sum_of(mesh.triangles.size(), measure_block,
-                           [&](std::size_t f) { return 0.5 * area_vector(mesh, f).norm(); });
+                           [&](std::size_t f) { return 0.5 * vector_of(mesh, mesh.triangles[f]).norm(); });
 }
 
 } // namespace wm3d

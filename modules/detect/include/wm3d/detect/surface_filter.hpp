@@ -17,6 +17,8 @@ namespace wm3d::detect {
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);
+    /// \param areas  the mesh's `vertex_areas`
+    SurfaceFilter(const TriangleMesh& mesh, std::vector<double> areas);
     ~SurfaceFilter();
     SurfaceFilter(SurfaceFilter&&) noexcept;
     SurfaceFilter& operator=(SurfaceFilter&&) noexcept;
