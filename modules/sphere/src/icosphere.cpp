@@ -24,8 +24,9 @@ Vec3 unit(const Vec3& direction) {
 
 /// d . (a x b): positive if d lies to the left of the arc from a to b. Written by differences, which keeps
 /// all its digits where a and b are close to d.
-double side(const Vec3& d, const Vec3& a, const Vec3& b) {
-    return d.dot((a - d).cross(b - d));
+/// \param to_a, to_b  a - d and b - d
+inline double side(const Vec3& d, const Vec3& to_a, const Vec3& to_b) {
+    return d.dot(to_a.cross(to_b));
 }
 
 } // namespace
@@ -61,9 +62,9 @@ std::size_t Icosphere::root(const Vec3& d) const {
 std::size_t Icosphere::child(const Vec3& d, unsigned level, std::size_t parent) const {
     // Beyond one edge of the middle child lies the child at a corner; beyond two of them, rounding aside, nothing.
     const auto& [ab, bc, ca] = faces_[level][4 * parent + 3];
-    const double beyond_a = side(d, vertices_[ab], vertices_[ca]),
-                 beyond_b = side(d, vertices_[bc], vertices_[ab]),
-                 beyond_c = side(d, vertices_[ca], vertices_[bc]);
+    const Vec3 to_ab = vertices_[ab] - d, to_bc = vertices_[bc] - d, to_ca = vertices_[ca] - d;
+    const double beyond_a = side(d, to_ab, to_ca), beyond_b = side(d, to_bc, to_ab),
+                 beyond_c = side(d, to_ca, to_bc);
     std::size_t corner = beyond_b > beyond_a ? 1 : 0;
     double furthest = std::max(beyond_a, beyond_b);
     corner = beyond_c > furthest ? 2 : corner;
@@ -89,7 +90,7 @@ SphereLocation Icosphere::locate(const Vec3& direction, Index guess) const {
 /// On which side of the face's three edges a direction lies, all positive inside.
 Vec3 Icosphere::sides(const Vec3& d, unsigned level, std::size_t face) const {
     const Triangle& corners = faces_[level][face];
-    const Vec3 &a = vertices_[corners[0]], &b = vertices_[corners[1]], &c = vertices_[corners[2]];
+    const Vec3 a = vertices_[corners[0]] - d, b = vertices_[corners[1]] - d, c = vertices_[corners[2]] - d;
     return {side(d, b, c), side(d, c, a), side(d, a, b)};
 }
 
