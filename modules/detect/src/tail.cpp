@@ -21,18 +21,26 @@ namespace {
 constexpr double ln10 = std::numbers::ln10;
 constexpr double minus_infinity = -std::numeric_limits<double>::infinity();
 
+/// And the cumulants there.
+struct Saddlepoint {
+    double s;
+    Cumulants k;
+};
+
 /// Root s > 0 of K'(s) = t for 0 < t < maximum. K' is concave for s > 0, so Newton's steps from 0 never
 /// overshoot.
-double saddlepoint(const LinearStatistic& statistic, double t) {
+/// \param last_step  over s: a step that is no longer is not taken
+Saddlepoint saddlepoint(const LinearStatistic& statistic, double t, double last_step = 1e-13) {
     double s = t / (statistic.sigma() * statistic.sigma());
+    Cumulants k = cumulants(statistic, s);
     for (int step = 0; step < 200; ++step) {
-        const Cumulants k = cumulants(statistic, s);
         const double next = s + (t - k.k1) / k.k2;
-        if (!(next > s * (1 + 1e-13)) || !std::isfinite(next))
+        if (!(next > s * (1 + last_step)) || !std::isfinite(next))
             break;
         s = next;
+        k = cumulants(statistic, s);
     }
-    return s;
+    return {s, k};
 }
 
 /// log of the standard normal's upper tail.
@@ -46,8 +54,7 @@ double log_normal_tail(double z) {
 
 /// log of Lugannani and Rice's approximation, t > 0.
 double saddlepoint_log_tail(const LinearStatistic& statistic, double t) {
-    const double s = saddlepoint(statistic, t);
-    const Cumulants k = cumulants(statistic, s);
+    const auto [s, k] = saddlepoint(statistic, t);
     const double exponent = std::max(s * t - k.k0, 0.0);
     const double r = std::sqrt(2 * exponent); // signed root
     const double u = s * std::sqrt(k.k2);
@@ -137,6 +144,17 @@ private:
     std::vector<Pack> packs_;
 };
 
+/// The line of integration, which may pass anywhere right of 0 and costs least near the saddlepoint: near the mean it
+/// passes right of that, away from the pole.
+Saddlepoint line_of(const LinearStatistic& statistic, double t) {
+    constexpr double near = 1e-3;
+    const double least = 1 / statistic.sigma();
+    if (t > 0)
+        if (const Saddlepoint found = saddlepoint(statistic, t, near); found.s >= least)
+            return found;
+    return {least, cumulants(statistic, least)};
+}
+
 struct Integral {
     double value = 0;
     double relative_error = std::numeric_limits<double>::infinity();
@@ -178,10 +196,7 @@ Tail exact_tail(const LinearStatistic& statistic, double t) {
     }
     if (t > statistic.maximum())
         return {minus_infinity, 0, false};
-    const double sigma = statistic.sigma();
-    // The line may pass right of the saddlepoint: near the mean this keeps it away from the pole at 0.
-    const double s = std::max(t > 0 ? saddlepoint(statistic, t) : 0.0, 1 / sigma);
-    const Cumulants k = cumulants(statistic, s);
+    const auto [s, k] = line_of(statistic, t);
     // The step resolves the integrand's width at the saddlepoint and the distance to the pole.
     const double h = std::min(0.4 / std::sqrt(k.k2), s / 8);
     const Integral integral = bromwich(statistic, s, t, h);
@@ -210,8 +225,8 @@ double chernoff_log10_bound(const LinearStatistic& statistic, double t) {
         return 0;
     if (!(statistic.sigma() > 0) || t > statistic.maximum())
         return minus_infinity;
-    const double s = saddlepoint(statistic, t);
-    return (cumulants(statistic, s).k0 - s * t) / ln10;
+    const auto [s, k] = saddlepoint(statistic, t);
+    return (k.k0 - s * t) / ln10;
 }
 
 double tail_quantile(const LinearStatistic& statistic, double log10_pf) {
