@@ -69,11 +69,17 @@ struct Evidence::Core {
 
     Core(const TriangleMesh& base, EvidenceOptions chosen)
         : options(std::move(chosen)), residuals(options.filters.size()) {
+        geometries.reserve(1 + options.filters.size()); // the first stays where it is while others are added
         geometries.emplace_back(base, 0, diffuses_on(0));
-        for (const Filter& filter : options.filters)
-            geometry.push_back(geometry_of(base, filter.calming));
-        if (std::ranges::any_of(options.filters, [](const Filter& f) { return f.hinges > 0; }))
-            hinges.emplace(base, geometries.front().normals);
+        parallel_invoke(
+            [&] {
+                for (const Filter& filter : options.filters)
+                    geometry.push_back(geometry_of(base, filter.calming));
+            },
+            [&] {
+                if (std::ranges::any_of(options.filters, [](const Filter& f) { return f.hinges > 0; }))
+                    hinges.emplace(base, geometries.front().normals);
+            });
         const std::vector<Smooth> smooth = smooth_coordinates(base);
         parallel_blocks(options.filters.size(), 1,
                         [&](std::size_t f, std::size_t) { residuals[f] = residual(base, f, smooth); });
