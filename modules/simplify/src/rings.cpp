@@ -6,24 +6,26 @@
 
 namespace wm3d::simplify {
 
-namespace {
-
-constexpr std::size_t smallest = 8; ///< spokes of the smallest block: one cache line
-
-Index capacity_for(std::size_t size) {
-    return static_cast<Index>(std::max(smallest, std::bit_ceil(size)));
+Index Rings::capacity_for(std::size_t size) {
+    return static_cast<Index>(std::max(home, std::bit_ceil(size)));
 }
 
-} // namespace
+Rings::Rings(std::size_t vertices) : block_(vertices) {
+    pool_.reserve(home * (vertices + vertices / 16));
+    pool_.resize(home * vertices);
+    for (std::size_t v = 0; v < vertices; ++v)
+        block_[v] = {static_cast<Index>(home * v), 0, home};
+}
 
-Rings::Rings(const std::vector<Index>& sizes) : block_(sizes.size()) {
-    Index total = 0;
-    for (std::size_t v = 0; v < sizes.size(); ++v) {
-        block_[v] = {total, sizes[v], capacity_for(sizes[v])};
-        total += block_[v].capacity;
+void Rings::append(Index v, const Spoke& spoke) {
+    if (Block& own = block_[v]; own.size == own.capacity) {
+        const Block larger = allocate(own.size + 1);
+        std::copy_n(pool_.begin() + own.begin, own.size, pool_.begin() + larger.begin);
+        const Index size = own.size;
+        release(own);
+        own = {larger.begin, size, larger.capacity};
     }
-    pool_.reserve(total + total / 16);
-    pool_.resize(total);
+    pool_[block_[v].begin + block_[v].size++] = spoke;
 }
 
 void Rings::collapse(Index v, std::size_t place) {

@@ -19,15 +19,21 @@ inline bool is_closed(Ring ring) {
 }
 
 /// All rings, each one piece of memory, so that looking around a vertex costs one jump and not one per
-/// triangle.
+/// triangle. A ring has a home, a cache line whose place its vertex tells, and leaves it when it gets too large.
 class Rings {
 public:
-    /// Rings of the given sizes, to be filled through `ring`.
-    explicit Rings(const std::vector<Index>& sizes);
+    /// Empty rings.
+    explicit Rings(std::size_t vertices);
 
     std::size_t size() const { return block_.size(); }
     Ring of(Index v) const { return {pool_.data() + block_[v].begin, block_[v].size}; }
     bool alive(Index v) const { return block_[v].size > 0; }
+
+    /// Puts a spoke at the end of the ring of v.
+    void append(Index v, const Spoke& spoke);
+
+    /// Where the size and, most often, the spokes of the ring of v lie.
+    std::array<const void*, 2> places(Index v) const { return {&block_[v], pool_.data() + home * v}; }
 
     /// Half-edge collapse of v to its neighbour number `place`.
     /// \pre  the link condition holds and a triangle is left
@@ -36,6 +42,8 @@ public:
     std::span<Spoke> ring(Index v) { return {pool_.data() + block_[v].begin, block_[v].size}; }
 
 private:
+    static constexpr std::size_t home = 8; ///< spokes: a cache line
+
     struct Block {
         Index begin = 0;
         Index size = 0;
@@ -46,6 +54,7 @@ private:
     void erase(Index v, std::size_t at);
     void join(Index kept, Index removed, std::size_t place);
     void assign(Index v, Ring spokes);
+    static Index capacity_for(std::size_t size);
     void release(Block& block);
     Block allocate(std::size_t size);
 

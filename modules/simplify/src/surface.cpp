@@ -12,7 +12,6 @@
 
 #include <wm3d/core/parallel.hpp>
 
-#include "corners.hpp"
 #include "half_edges.hpp"
 
 namespace wm3d::simplify {
@@ -29,47 +28,49 @@ struct Wedges {
     std::array<Index, many> from, to, corner;
     std::size_t size = 0;
 
-    void clear() { size = 0; }
-
-    void add(Index f, Index t, Index c) {
-        if (size % lane == 0)
-            std::fill_n(from.begin() + size, lane, no_index);
-        from[size] = f, to[size] = t, corner[size] = c;
-        ++size;
-    }
-
-    /// A bit for each of the wedges that begin at `vertex`. Without branches: their order is as good as
-    /// random.
-    std::uint64_t beginning_at(Index vertex) const {
-        std::uint64_t found = 0;
-        for (std::size_t base = 0; base < size; base += lane)
-            for (std::size_t i = 0; i < lane; ++i)
-                found |= std::uint64_t{from[base + i] == vertex} << (base + i);
-        return found;
+    /// From spokes that begin the wedges, in any order.
+    void gather(Ring spokes, const std::vector<Triangle>& triangles) {
+        size = spokes.size();
+        for (std::size_t i = 0; i < size; ++i) {
+            from[i] = spokes[i].vertex;
+            corner[i] = spokes[i].corner;
+            to[i] = triangles[corner[i] / 3][previous(corner[i]) % 3];
+        }
+        std::fill(to.begin() + size, to.begin() + (size + lane - 1) / lane * lane, no_index);
     }
 
     /// Finds the order in which each wedge begins where the one before ends. False if they are not one fan.
     bool chain(std::array<unsigned char, many>& order) const {
-        std::array<std::uint64_t, many> follower;
-        std::uint64_t following = 0; // wedges that begin where another ends
+        constexpr Index found = many; // plus the number of the follower; twice that and more: several follow
+        std::array<Index, many> follower;
+        std::uint64_t followers = 0;
+        for (std::size_t base = 0; base < size; base += lane) {
+            std::array<Index, lane> sum{};
+            for (std::size_t k = 0; k < size; ++k)
+                for (std::size_t i = 0; i < lane; ++i) // without branches: their order is as good as random
+                    sum[i] += from[k] == to[base + i] ? found + static_cast<Index>(k) : 0;
+            std::ranges::copy(sum, follower.begin() + base);
+        }
         bool single = true;
         for (std::size_t i = 0; i < size; ++i) {
-            follower[i] = beginning_at(to[i]);
-            single = single && std::popcount(follower[i]) <= 1 && (following & follower[i]) == 0;
-            following |= follower[i];
+            single = single && follower[i] < 2 * found;
+            followers |= std::uint64_t{follower[i] >= found} << follower[i] % found;
         }
-        const std::uint64_t first = ~following & (~std::uint64_t{0} >> (many - size)); // of an open fan
-        if (!single || std::popcount(first) > 1 || (first == 0 && size < 3))
+        const auto first = static_cast<std::size_t>(std::countr_one(followers)); // of an open fan
+        const bool closed = first >= size;
+        if (!single || size == 0 || (closed && size < 3))
             return false;
-        auto at = static_cast<std::size_t>(first == 0 ? 0 : std::countr_zero(first));
-        std::uint64_t met = 0;
-        for (std::size_t i = 0; i < size; ++i) {
+        std::size_t at = closed ? 0 : first;
+        for (std::size_t i = 0; i + 1 < size; ++i) {
             order[i] = static_cast<unsigned char>(at);
-            met |= std::uint64_t{1} << at;
-            if (follower[at] != 0)
-                at = static_cast<std::size_t>(std::countr_zero(follower[at]));
+            if (follower[at] == 0)
+                return false;
+            at = follower[at] % found;
+            if (at == order[0])
+                return false;
         }
-        return std::popcount(met) == static_cast<int>(size);
+        order[size - 1] = static_cast<unsigned char>(at);
+        return closed ? follower[at] == found + order[0] : follower[at] == 0;
     }
 };
 
@@ -88,62 +89,59 @@ void walk(const HalfEdges& mesh, Index v, Visit&& visit) {
 }
 
 Rings rings_of(const HalfEdges& mesh) {
-    std::vector<Index> sizes(mesh.leaving.size(), 0);
-    for (Index v = 0; v < sizes.size(); ++v)
-        walk(mesh, v, [&](Index, Index) { ++sizes[v]; });
-    Rings rings(sizes);
-    for (Index v = 0; v < sizes.size(); ++v) {
-        Spoke* spoke = rings.ring(v).data();
-        walk(mesh, v, [&](Index neighbour, Index corner) { *spoke++ = {neighbour, corner}; });
-    }
+    Rings rings(mesh.leaving.size());
+    for (Index v = 0; v < rings.size(); ++v)
+        walk(mesh, v, [&](Index neighbour, Index corner) { rings.append(v, {neighbour, corner}); });
     return rings;
 }
+
+/// Rings of the first vertices, one spoke for each of their triangles, in the order of the triangles.
+Rings unordered_rings(const std::vector<Triangle>& triangles, std::size_t vertices, std::size_t wanted) {
+    Rings rings(vertices);
+    for (std::size_t f = 0; f < triangles.size(); ++f)
+        for (Index k = 0; k < 3; ++k)
+            if (const Index v = triangles[f][k]; v < wanted)
+                rings.append(v, {triangles[f][next(k)], static_cast<Index>(3 * f) + k});
+    return rings;
+}
+
+/// The last spoke of an open ring.
+struct End {
+    Index vertex, neighbour;
+};
 
 } // namespace
 
 std::optional<Rings> rings_of_manifold(const std::vector<Triangle>& triangles, std::size_t vertices,
                                        std::size_t wanted) {
-    const Corners by = corners_by_vertex(triangles, vertices);
-    std::vector<Index> sizes(vertices, 0);
-    std::vector<Triangle> ordered(by.corners.size());
+    Rings rings = unordered_rings(triangles, vertices, wanted);
+    std::vector<std::vector<End>> ends((wanted + vertex_block - 1) / vertex_block);
     std::atomic<bool> manifold = true;
     parallel_blocks(wanted, vertex_block, [&](std::size_t begin, std::size_t end) {
         Wedges wedges;
         std::array<unsigned char, many> order;
-        for (std::size_t v = begin; v < end && manifold; ++v) {
-            wedges.clear();
-            if (by.start[v + 1] - by.start[v] > many) {
+        for (auto v = static_cast<Index>(begin); v < end && manifold; ++v) {
+            const std::span<Spoke> ring = rings.ring(v);
+            if (ring.size() > many) {
                 manifold = false;
                 return;
             }
-            for (Index i = by.start[v]; i < by.start[v + 1]; ++i) {
-                const Index h = by.corners[i];
-                const Triangle& t = triangles[h / 3];
-                wedges.add(t[next(h) % 3], t[previous(h) % 3], h);
-            }
+            wedges.gather(ring, triangles);
             if (!wedges.chain(order)) {
                 manifold = false;
                 return;
             }
-            const bool closed = wedges.to[order[wedges.size - 1]] == wedges.from[order[0]];
-            sizes[v] = static_cast<Index>(wedges.size) + (closed ? 0 : 1);
-            for (std::size_t i = 0; i < wedges.size; ++i)
-                ordered[by.start[v] + i] = {wedges.from[order[i]], wedges.to[order[i]],
-                                            wedges.corner[order[i]]};
+            for (std::size_t i = 0; i < ring.size(); ++i)
+                ring[i] = {wedges.from[order[i]], wedges.corner[order[i]]};
+            if (const Index last = wedges.to[order[ring.size() - 1]]; last != ring.front().vertex)
+                ends[begin / vertex_block].push_back({v, last});
         }
     });
     if (!manifold)
         return std::nullopt;
-    Rings rings(sizes);
-    parallel_blocks(wanted, vertex_block, [&](std::size_t begin, std::size_t end) {
-        for (auto v = static_cast<Index>(begin); v < end; ++v) {
-            Spoke* spoke = rings.ring(v).data();
-            for (Index i = by.start[v]; i < by.start[v + 1]; ++i)
-                *spoke++ = {ordered[i][0], ordered[i][2]};
-            if (sizes[v] > by.start[v + 1] - by.start[v])
-                *spoke = {ordered[by.start[v + 1] - 1][1], no_index};
-        }
-    });
+    for (const std::vector<End>& of_block : ends)
+        for (const End& end : of_block)
+            rings.append(end.vertex, {end.neighbour, no_index});
     return rings;
 }
 
