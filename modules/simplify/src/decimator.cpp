@@ -61,7 +61,7 @@ std::size_t Decimator::remove(std::size_t count, const Progress& progress) {
     while (removed < count && !queue_.empty()) {
         const Candidate top = queue_.top();
         if (keys_[vertex_of(top)] != key_of(top)) { // out of date
-            queue_.pop();
+            advance();
             continue;
         }
         if (!settle(vertex_of(top), key_of(top)))
@@ -80,18 +80,37 @@ bool Decimator::settle(Index v, CostKey key) {
         std::iter_swap(rest, std::min_element(rest, choices_.end())); // seldom more than one is looked at
         if (rest->key > key) {
             keys_[v] = rest->key;
-            queue_.replace_top(candidate(rest->key, v));
+            advance(candidate(rest->key, v));
             return false;
         }
         if (keeps_topology(v, rest->place) && keeps_normals(v, rest->place)) {
-            queue_.pop();
+            advance();
             collapse(v, rest->place);
             return true;
         }
     }
     keys_[v] = no_cost; // until its surroundings change
-    queue_.pop();
+    advance();
     return false;
+}
+
+/// Takes the top off the queue, or puts `instead` in its place. What the next vertices need lies anywhere in memory: asked
+/// for now, it is there when their turn comes.
+void Decimator::advance(std::optional<Candidate> instead) {
+    if (instead)
+        queue_.replace_top(*instead);
+    else
+        queue_.pop();
+    if (queue_.empty())
+        return;
+    const Ring next = rings_.of(vertex_of(queue_.top()));
+    for (std::size_t i = 0; i <= next.size(); ++i) {
+        const Index v = i < next.size() ? next[i].vertex : vertex_of(queue_.approaching());
+        for (const void* place : rings_.places(v)) // here: g++ leaves out calls of what does nothing else
+            __builtin_prefetch(place, 1);
+        for (const void* place : sites_.places(v))
+            __builtin_prefetch(place, 1);
+    }
 }
 
 void Decimator::list_choices(Index v) {

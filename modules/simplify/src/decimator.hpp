@@ -2,6 +2,7 @@
 /// \file  The greedy loop of half-edge collapses.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <wm3d/core/progress.hpp>
@@ -40,6 +41,7 @@ private:
     static std::vector<Candidate> initial_candidates(const Rings& rings, const Sites& sites,
                                                      std::vector<CostKey>& keys);
     bool settle(Index v, CostKey key);
+    void advance(std::optional<Candidate> instead = {});
     void list_choices(Index v);
     bool keeps_topology(Index v, std::size_t place) const;
     bool keeps_normals(Index v, std::size_t place) const;

@@ -2,6 +2,7 @@
 /// \file  What the simplification stores of each vertex beside its half-edges.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "quadric.hpp"
@@ -27,6 +28,9 @@ struct Sites {
     std::vector<Site> site;       ///< #W
     std::vector<Quadric> quadric; ///< #W, each about its vertex
     std::vector<Kind> kind;       ///< #W
+
+    /// Where what is known of v lies.
+    std::array<const void*, 3> places(Index v) const { return {&site[v], &quadric[v].xx, &quadric[v].z}; }
 };
 
 /// Area-weighted plane quadrics, isotropic quadrics and boundary planes, gathered per vertex in the order of
