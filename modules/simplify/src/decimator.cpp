@@ -6,13 +6,10 @@
 #include <limits>
 #include <numbers>
 
-#include <wm3d/core/parallel.hpp>
-
 namespace wm3d::simplify {
 
 namespace {
 
-constexpr std::size_t block = 4096;
 constexpr std::size_t report_every = 8192;
 
 /// Whether one of the triangles of a ring's centre has the corners a and b besides.
@@ -28,29 +25,15 @@ bool has_triangle(Ring ring, Index a, Index b) {
 } // namespace
 
 Decimator::Decimator(Rings& rings, Sites& sites, const Options& options, Observer* observer)
-    : rings_(rings), sites_(sites), observer_(observer), queue_(initial_candidates(rings, sites, keys_)) {
+    : rings_(rings), sites_(sites), observer_(observer), keys_(sites.key), queue_(initial_candidates(keys_)) {
     const double cosine = std::cos(options.max_normal_turn / 180 * std::numbers::pi);
     least_cosine2_ = cosine * cosine;
 }
 
-std::vector<Candidate> Decimator::initial_candidates(const Rings& rings, const Sites& sites,
-                                                     std::vector<CostKey>& keys) {
-    keys.assign(rings.size(), no_cost);
-    parallel_blocks(rings.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (auto v = static_cast<Index>(begin); v < end; ++v) {
-            if (sites.kind[v] == Kind::locked)
-                continue;
-            double least =
-                std::numeric_limits<double>::max(); // too low for boundary vertices, whose choices are fewer
-            for (const Spoke& s : rings.of(v))
-                least = std::min(
-                    least, sites.quadric[v].evaluate(sites.site[s.vertex].position - sites.site[v].position));
-            keys[v] = cost_key(least);
-        }
-    });
+std::vector<Candidate> Decimator::initial_candidates(const std::vector<CostKey>& keys) {
     std::vector<Candidate> candidates;
-    candidates.reserve(rings.size() + rings.size() / 16);
-    for (Index v = 0; v < rings.size(); ++v)
+    candidates.reserve(keys.size());
+    for (Index v = 0; v < keys.size(); ++v)
         if (keys[v] != no_cost)
             candidates.push_back(candidate(keys[v], v));
     return candidates;

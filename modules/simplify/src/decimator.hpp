@@ -38,8 +38,7 @@ private:
         bool operator<(const Choice& o) const { return key != o.key ? key < o.key : vertex < o.vertex; }
     };
 
-    static std::vector<Candidate> initial_candidates(const Rings& rings, const Sites& sites,
-                                                     std::vector<CostKey>& keys);
+    static std::vector<Candidate> initial_candidates(const std::vector<CostKey>& keys);
     bool settle(Index v, CostKey key);
     void advance(std::optional<Candidate> instead = {});
     void list_choices(Index v);
@@ -59,8 +58,8 @@ private:
     Rings& rings_;
     Sites& sites_;
     Observer* observer_;
-    double least_cosine2_ = 0;  ///< square of the cosine of the largest turn of a normal
-    std::vector<CostKey> keys_; ///< of each vertex's live entry in the queue; no_cost: none
+    double least_cosine2_ = 0;   ///< square of the cosine of the largest turn of a normal
+    std::vector<CostKey>& keys_; ///< of each vertex's live entry in the queue; no_cost: none
     CandidateQueue queue_;
     double largest_error_ = 0;
     std::vector<Spoke> ring_;     ///< of the vertex just removed

@@ -118,8 +118,7 @@ Workplace prepare(const TriangleMesh& mesh, const Options& options, bool may_thi
     }
     const std::size_t faces = input.triangles.size();
     Surface surface = build_surface(std::exchange(input.triangles, {}), input.positions);
-    Sites sites = build_sites(surface, std::move(input.positions), options);
-    inherit(sites, thinned.standing);
+    Sites sites = build_sites(surface, std::move(input.positions), options, thinned.standing);
     return {std::move(input.input_vertex),
             input.scale,
             faces,

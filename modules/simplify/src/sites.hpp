@@ -3,8 +3,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "candidate_queue.hpp"
 #include "quadric.hpp"
 #include "surface.hpp"
 
@@ -28,14 +30,25 @@ struct Sites {
     std::vector<Site> site;       ///< #W
     std::vector<Quadric> quadric; ///< #W, each about its vertex
     std::vector<Kind> kind;       ///< #W
+    std::vector<CostKey> key;     ///< #W: not above the cost of any of its choices; no_cost: never removed
 
     /// Where what is known of v lies.
     std::array<const void*, 3> places(Index v) const { return {&site[v], &quadric[v].xx, &quadric[v].z}; }
 };
 
+/// What a vertex stands for already.
+struct Standing {
+    Index vertex; ///< number in the thinned mesh
+    Quadric quadric;
+    double constant; ///< of the quadric at the vertex
+};
+
 /// Area-weighted plane quadrics, isotropic quadrics and boundary planes, gathered per vertex in the order of
 /// its ring.
 /// \param positions  of the input; let go before the quadrics take their place
-Sites build_sites(const Surface& surface, std::vector<Vec3> positions, const Options& options);
+/// \param standing   what some vertices begin with in place of that, ascending
+/// \param first      vertex of the first site
+Sites build_sites(const Surface& surface, std::vector<Vec3> positions, const Options& options,
+                  std::span<const Standing> standing = {}, std::size_t first = 0);
 
 } // namespace wm3d::simplify

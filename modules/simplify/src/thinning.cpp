@@ -149,8 +149,7 @@ ThinnedBlock thin_block(const Block& block, double share, std::span<const Standi
     std::vector<Index> source(piece.positions.size());
     std::iota(source.begin(), source.end(), Index{0});
     Surface surface{std::move(*rings), std::move(source), std::move(piece.locked)};
-    Sites sites = build_sites(surface, std::move(piece.positions), options);
-    inherit(sites, standing, block.begin);
+    Sites sites = build_sites(surface, std::move(piece.positions), options, standing, block.begin);
     Decimator decimator(surface.rings, sites, options, nullptr);
     decimator.remove(to_remove, {});
     result.largest_error = decimator.largest_error();
@@ -236,13 +235,6 @@ void thin_blocks(Canonical& input, const Options& options, std::size_t size, con
 }
 
 } // namespace
-
-void inherit(Sites& sites, std::span<const Standing> standing, std::size_t first) {
-    for (const Standing& s : standing) {
-        sites.quadric[s.vertex - first] = s.quadric;
-        sites.site[s.vertex - first].constant = s.constant;
-    }
-}
 
 Thinning thin(Canonical& input, const Options& options, std::size_t block) {
     Thinning thinning;

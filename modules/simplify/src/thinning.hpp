@@ -3,27 +3,14 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "canonical.hpp"
-#include "quadric.hpp"
 #include "sites.hpp"
 
 namespace wm3d::simplify {
 
 struct Options;
-
-/// What a vertex stands for already.
-struct Standing {
-    Index vertex; ///< number in the thinned mesh
-    Quadric quadric;
-    double constant; ///< of the quadric at the vertex
-};
-
-/// Sites begin with what their vertices stand for.
-/// \param first  vertex of the first site
-void inherit(Sites& sites, std::span<const Standing> standing, std::size_t first = 0);
 
 /// What thinning did.
 struct Thinning {
