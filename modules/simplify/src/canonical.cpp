@@ -5,7 +5,6 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <span>
 #include <tuple>
 #include <utility>
 
@@ -34,19 +33,26 @@ bool degenerate(const Triangle& t) {
     return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
 }
 
-bool is_sound(const TriangleMesh& mesh, const Triangle& t) {
-    return std::ranges::all_of(
-        t, [&](Index v) { return v < mesh.positions.size() && mesh.positions[v].allFinite(); });
+/// Whether body(i) holds for every i of [0, count).
+template<typename Test>
+bool holds_for_all(std::size_t count, Test&& test) {
+    std::atomic<bool> holds = true;
+    parallel_blocks(count, canonical_block, [&](std::size_t begin, std::size_t end) {
+        bool all = true;
+        for (std::size_t i = begin; i < end; ++i)
+            all = all && test(i);
+        if (!all)
+            holds = false;
+    });
+    return holds;
 }
 
+/// Vertices that no triangle names may lie anywhere, so what looks unsound at first is looked at again.
 void check(const TriangleMesh& mesh) {
-    std::atomic<bool> sound = true;
-    parallel_blocks(mesh.triangles.size(), canonical_block, [&](std::size_t begin, std::size_t end) {
-        if (!std::ranges::all_of(std::span(mesh.triangles).subspan(begin, end - begin),
-                                 [&](const Triangle& t) { return is_sound(mesh, t); }))
-            sound = false;
-    });
-    if (sound)
+    const std::size_t vertices = mesh.positions.size();
+    if (holds_for_all(mesh.triangles.size(),
+                      [&](std::size_t f) { return std::ranges::max(mesh.triangles[f]) < vertices; }) &&
+        holds_for_all(vertices, [&](std::size_t v) { return mesh.positions[v].allFinite(); }))
         return;
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f)
         for (Index v : mesh.triangles[f]) {
@@ -163,8 +169,12 @@ std::vector<Index> order_vertices(const TriangleMesh& mesh, Canonical& out) {
 }
 
 /// Orders triangles that share their first corner; repeats come to stand side by side.
-auto rank(const Triangle& t) {
-    return std::tuple(std::min(t[1], t[2]), std::max(t[1], t[2]), t[1]);
+bool comes_before(const Triangle& a, const Triangle& b) {
+    const auto others = [](const Triangle& t) {
+        return std::uint64_t{std::min(t[1], t[2])} << 32 | std::max(t[1], t[2]);
+    };
+    const std::uint64_t of_a = others(a), of_b = others(b);
+    return of_a != of_b ? of_a < of_b : a[1] < b[1];
 }
 
 bool same_corners(const Triangle& a, const Triangle& b) {
@@ -199,7 +209,7 @@ void order_triangles(const TriangleMesh& mesh, const std::vector<Index>& number,
     });
     parallel_blocks(out.positions.size(), canonical_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
-            std::ranges::sort(by_first.under(v), {}, rank);
+            std::ranges::sort(by_first.under(v), comes_before);
     });
     std::vector<Triangle>& sorted = out.triangles;
     sorted = std::move(by_first.values);

@@ -57,16 +57,15 @@ Numbering number_survivors(const Rings& rings, const std::vector<Index>& source)
 /// \param faces  receives the working face of each.
 std::vector<Triangle> surviving_triangles(const Rings& rings, const std::vector<Index>& base_vertex,
                                           std::size_t face_count, std::vector<Index>& faces) {
-    constexpr Triangle none{no_index, no_index, no_index};
-    std::vector<Triangle> triangles(face_count, none);
+    std::vector<Index> corners(3 * face_count, no_index);
     for (Index w = 0; w < rings.size(); ++w)
         for (const Spoke& s : rings.of(w))
             if (s.corner != no_index)
-                triangles[s.corner / 3][s.corner % 3] = base_vertex[w];
+                corners[s.corner] = base_vertex[w];
     std::vector<Triangle> surviving;
     for (Index f = 0; f < face_count; ++f)
-        if (triangles[f] != none) {
-            surviving.push_back(triangles[f]);
+        if (const std::size_t c = 3 * std::size_t{f}; corners[c] != no_index) {
+            surviving.push_back({corners[c], corners[c + 1], corners[c + 2]});
             faces.push_back(f);
         }
     return surviving;
