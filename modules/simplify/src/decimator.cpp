@@ -43,7 +43,7 @@ std::size_t Decimator::remove(std::size_t count, const Progress& progress) {
     std::size_t removed = 0;
     while (removed < count && !queue_.empty()) {
         const Candidate top = queue_.top();
-        if (keys_[vertex_of(top)] != key_of(top)) { // out of date
+        if (is_out_of_date(top)) { // since the last collapse
             advance();
             continue;
         }
@@ -83,6 +83,8 @@ void Decimator::advance(std::optional<Candidate> instead) {
     if (instead)
         queue_.replace_top(*instead);
     else
+        queue_.pop();
+    while (!queue_.empty() && is_out_of_date(queue_.top()))
         queue_.pop();
     if (queue_.empty())
         return;

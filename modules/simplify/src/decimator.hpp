@@ -40,6 +40,7 @@ private:
 
     static std::vector<Candidate> initial_candidates(const std::vector<CostKey>& keys);
     bool settle(Index v, CostKey key);
+    bool is_out_of_date(Candidate c) const { return keys_[vertex_of(c)] != key_of(c); }
     void advance(std::optional<Candidate> instead = {});
     void list_choices(Index v);
     bool keeps_topology(Index v, std::size_t place) const;
