@@ -32,8 +32,8 @@ struct Sites {
     std::vector<Kind> kind;       ///< #W
     std::vector<CostKey> key;     ///< #W: not above the cost of any of its choices; no_cost: never removed
 
-    /// Where what is known of v lies.
-    std::array<const void*, 3> places(Index v) const { return {&site[v], &quadric[v].xx, &quadric[v].z}; }
+    /// Where what is known of v lies; most processors send the line behind a quadric's first as well.
+    std::array<const void*, 2> places(Index v) const { return {&site[v], &quadric[v].xx}; }
 };
 
 /// What a vertex stands for already.
