@@ -4,10 +4,11 @@
 // tinyobjloader reads the other statements, but where there are only faces of plain numbers: these the scan reads itself,
 // in a tenth of the time.
 #include <algorithm>
-#include <charconv>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <istream>
+#include <limits>
 #include <streambuf>
 
 #include <fmt/format.h>
@@ -41,7 +42,7 @@ public:
 struct Piece {
     std::size_t begin = 0, end = 0;
     std::vector<Vec3> positions;
-    TextStore store;
+    std::vector<TextOffsets> offsets; ///< of the positions' words
     bool plain = true; ///< no line but `v`, faces of plain numbers, and those that say nothing of the shape
     Polygons faces;
     std::vector<Triangle> triangles;
@@ -126,7 +127,7 @@ std::string_view keyword(std::string_view bytes, std::size_t at) {
 
 /// The position of a `v` line, whose coordinates the scanner stands before.
 void scan_vertex(TextScanner& scan, std::size_t line, Piece& piece) {
-    std::array<std::size_t, 3> offsets{};
+    TextOffsets offsets{};
     Vec3 position;
     for (std::size_t k = 0; k < 3; ++k) {
         scan.skip_blanks();
@@ -135,15 +136,19 @@ void scan_vertex(TextScanner& scan, std::size_t line, Piece& piece) {
         position[static_cast<int>(k)] = scan.number("a vertex coordinate", offsets[k]);
     }
     piece.positions.push_back(position);
-    piece.store.add(offsets);
+    piece.offsets.push_back(offsets);
 }
 
 /// Reads digits.
 /// \return  their number, or 0 where there are none or too many
 unsigned scan_digits(const char*& at, const char* end) {
-    unsigned value = 0; // without a sign, which from_chars would take; stays where it fails
-    at = std::from_chars(at, end, value).ptr;
-    return value;
+    constexpr std::ptrdiff_t most = 10;
+    constexpr std::uint64_t largest = std::numeric_limits<unsigned>::max();
+    const char* const first = at;
+    std::uint64_t value = 0;
+    for (; at < end && is_digit(*at); ++at)
+        value = 10 * value + static_cast<std::uint64_t>(*at - '0');
+    return at - first <= most && value <= largest ? static_cast<unsigned>(value) : 0;
 }
 
 /// Adds the face of an `f` line, which the scanner stands in, if its corners are numbers counted from 1, which others may
@@ -202,13 +207,13 @@ void read_piece(const Source& source, Piece& piece, std::size_t vertices_before)
         source.fail("its lines can't be told apart; the file may mix line ends or hold control characters");
 }
 
-/// Cuts the file after line ends; the store of each piece is one of the original bytes.
-std::vector<Piece> cut(const Source& source, std::string_view original) {
+/// Cuts the file after line ends.
+std::vector<Piece> cut(const Source& source) {
     std::vector<Piece> pieces;
     for (std::size_t begin = 0; begin < source.bytes.size();) {
         const std::size_t line_end = source.bytes.find('\n', begin + piece_size);
         const std::size_t end = line_end == std::string_view::npos ? source.bytes.size() : line_end + 1;
-        pieces.push_back({begin, end, {}, TextStore(original), true, {}, {}, 0, 0, nullptr});
+        pieces.push_back({begin, end, {}, {}, true, {}, {}, 0, 0, nullptr});
         begin = end;
     }
     return pieces;
@@ -230,7 +235,7 @@ void for_each_piece(std::vector<Piece>& pieces, F&& read) {
 }
 
 Document read_statements(const Source& source, std::string_view original) {
-    std::vector<Piece> pieces = cut(source, original);
+    std::vector<Piece> pieces = cut(source);
     for_each_piece(pieces, [&](std::size_t p) { scan_piece(source, pieces[p]); });
     std::vector<std::size_t> before(pieces.size() + 1, 0);
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -250,7 +255,7 @@ Document read_statements(const Source& source, std::string_view original) {
                                 fmt::format("a face names vertex {}, but the file has {} vertices",
                                             std::size_t{piece.largest} + 1, before.back()));
         document.positions.insert(document.positions.end(), piece.positions.begin(), piece.positions.end());
-        store->append(piece.store);
+        store->add(piece.offsets);
     }
     for_each_piece(pieces, [&](std::size_t p) {
         pieces[p].triangles = triangulate(document.positions, pieces[p].faces);

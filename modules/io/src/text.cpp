@@ -2,8 +2,10 @@
 #include "text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include <fmt/format.h>
@@ -18,11 +20,65 @@ constexpr std::size_t block = 8192;
 constexpr int most_digits = 17; // more says nothing about a double
 constexpr std::size_t text_size = 400;
 
-bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
 bool is_space(char c) {
-    return is_blank(c) || is_line_end(c) || c == '\v' || c == '\f';
+    return c == ' ' || (c >= '\t' && c <= '\r'); // tab, LF, VT, FF, CR
+}
+
+/// Powers of ten that a double holds exactly.
+constexpr std::array<double, 23> exact_powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                              1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                              1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// A decimal without an exponent and of so few digits that it is the quotient of two whole numbers which double holds
+/// exactly: one division rounds it correctly (Clinger).
+/// \return its end, or nullptr if it is of another kind
+const char* parse_plain_decimal(const char* begin, const char* end, double& value) {
+    constexpr std::ptrdiff_t most = 19; // digits of any number below 2^64
+    const bool negative = begin != end && *begin == '-';
+    const char* const first = begin + (negative ? 1 : 0);
+    std::uint64_t digits = 0;
+    const auto after_digits = [&](const char* at) {
+        for (; at != end && is_digit(*at); ++at)
+            digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+        return at;
+    };
+    const char* const point = after_digits(first);
+    const bool whole = point == end || *point != '.';
+    const char* const stop = whole ? point : after_digits(point + 1);
+    const std::ptrdiff_t before = point - first, after = whole ? 0 : stop - point - 1;
+    const bool exponent = stop != end && (*stop == 'e' || *stop == 'E');
+    if (before == 0 || (after == 0 && !whole) || before + after > most || digits > std::uint64_t{1} << 53 ||
+        exponent)
+        return nullptr;
+    const double size = static_cast<double>(digits) / exact_powers[static_cast<std::size_t>(after)];
+    value = negative ? -size : size;
+    return stop;
+}
+
+/// Writes a value with so many decimals, as std::to_chars does.
+/// \return  the end, or nullptr where it isn't plain to which side the value has to be rounded
+char* write_plain_decimal(double value, int decimals, char* out) {
+    constexpr double most = 1e15; // of the number that the digits make up
+    if (decimals < 1 || decimals >= static_cast<int>(exact_powers.size()))
+        return nullptr;
+    const double scaled = std::abs(value) * exact_powers[static_cast<std::size_t>(decimals)];
+    if (!(scaled < most))
+        return nullptr;
+    auto digits = static_cast<std::uint64_t>(scaled);
+    const double rest = scaled - static_cast<double>(digits);
+    // The product is rounded, so near a half it doesn't tell.
+    if (std::abs(rest - 0.5) <= scaled * std::numeric_limits<double>::epsilon())
+        return nullptr;
+    digits += rest > 0.5 ? 1 : 0;
+    const fmt::format_int text(digits);
+    const auto places = static_cast<std::size_t>(decimals), size = text.size();
+    const std::size_t before = size > places ? size - places : 0;
+    if (std::signbit(value))
+        *out++ = '-';
+    out = before > 0 ? std::copy_n(text.data(), before, out) : std::fill_n(out, 1, '0');
+    *out++ = '.';
+    out = std::fill_n(out, before > 0 ? 0 : places - size, '0');
+    return std::copy_n(text.data() + before, size - before, out);
 }
 
 /// The power of ten of the first digit that is not zero. Exponents beyond all reason count as 10^15.
@@ -47,6 +103,8 @@ std::int64_t power_of_ten(std::string_view number) {
 const char* parse_number(const char* begin, const char* end, double& value) {
     if (begin != end && *begin == '+' && begin + 1 != end && begin[1] != '-')
         ++begin;
+    if (const char* const stop = parse_plain_decimal(begin, end, value))
+        return stop;
     const auto [stop, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range) {
         // Too small for a double is zero; too large is an error.
@@ -171,8 +229,11 @@ void TextStyle::learn(const TextStyle& other) {
 
 std::string_view TextStyle::format(double value, char* out) const {
     const auto written = [&] {
-        if (!exponents())
+        if (!exponents()) {
+            if (char* const end = write_plain_decimal(value, decimals_, out))
+                return std::to_chars_result{end, std::errc()};
             return std::to_chars(out, out + text_size, value, std::chars_format::fixed, decimals_);
+        }
         if (with_exponent_ == count_)
             return std::to_chars(out, out + text_size, value, std::chars_format::scientific, decimals_);
         return std::to_chars(out, out + text_size, value, std::chars_format::general, significant_);
@@ -198,35 +259,52 @@ double TextStyle::step(double magnitude) const {
     return std::max(of_double, std::pow(10.0, std::floor(std::log10(magnitude)) - (digits - 1)));
 }
 
-void TextStore::add(const std::array<std::size_t, 3>& offsets) {
-    offsets_.push_back(offsets);
-    for (std::size_t offset : offsets)
-        style_.learn(bytes_.substr(offset, end_of(offset) - offset));
+TextStyle TextStore::learned() const {
+    std::vector<TextStyle> parts((offsets_.size() + block - 1) / block);
+    parallel_blocks(offsets_.size(), block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t slot = begin; slot < end; ++slot)
+            for (std::size_t offset : offsets_[slot])
+                parts[begin / block].learn(bytes_.substr(offset, end_of(offset) - offset));
+    });
+    TextStyle style;
+    for (const TextStyle& part : parts)
+        style.learn(part);
+    return style;
 }
 
-void TextStore::append(const TextStore& part) {
-    offsets_.insert(offsets_.end(), part.offsets_.begin(), part.offsets_.end());
-    style_.learn(part.style_);
+const TextStyle& TextStore::style() const {
+    {
+        const std::lock_guard lock(guard_);
+        if (style_)
+            return *style_;
+    }
+    const TextStyle style = learned(); // without the lock: a thread that waits in there may come here again
+    const std::lock_guard lock(guard_);
+    if (!style_)
+        style_ = style;
+    return *style_;
 }
 
 std::size_t TextStore::end_of(std::size_t offset) const {
-    while (offset < bytes_.size() && !is_space(bytes_[offset]) && bytes_[offset] != '#')
+    const auto goes_on = [&](char c) { return c > ' ' ? c != '#' : !is_space(c); };
+    while (offset < bytes_.size() && goes_on(bytes_[offset]))
         ++offset;
     return offset;
 }
 
 double TextStore::step(const Welding& welding) const {
-    return style_.step(largest_coordinates(welding.mesh).maxCoeff());
+    return style().step(largest_coordinates(welding.mesh).maxCoeff());
 }
 
 std::vector<Vec3> TextStore::settle(const Welding& welding, std::span<const Vec3> wanted) const {
     const std::vector<Vec3>& old = welding.mesh.positions;
     std::vector<Vec3> settled = old;
+    const TextStyle& style = this->style();
     parallel_blocks(old.size(), block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t v = begin; v < end; ++v)
             for (int k = 0; k < 3; ++k)
                 if (wanted[v][k] != old[v][k])
-                    settled[v][k] = style_.round(wanted[v][k]);
+                    settled[v][k] = style.round(wanted[v][k]);
     });
     return settled;
 }
@@ -240,6 +318,7 @@ std::string TextStore::patched(const Welding& welding, std::span<const Vec3> wan
     std::string out;
     out.reserve((last - copied) + (last - copied) / 4);
     char text[text_size];
+    const TextStyle& style = this->style();
     for (std::size_t slot = begin; slot < end; ++slot) {
         const Index v = welding.vertex_of_slot[slot];
         const auto& offsets = offsets_[slot];
@@ -253,7 +332,7 @@ std::string TextStore::patched(const Welding& welding, std::span<const Vec3> wan
                 continue;
             const std::size_t offset = offsets[static_cast<std::size_t>(k)];
             out.append(bytes_, copied, offset - copied);
-            out.append(style_.format(wanted[v][k], text));
+            out.append(style.format(wanted[v][k], text));
             copied = end_of(offset);
         }
     }

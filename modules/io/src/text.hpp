@@ -4,6 +4,9 @@
 
 #include <array>
 #include <cstddef>
+#include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +20,9 @@ inline bool is_blank(char c) {
 }
 inline bool is_line_end(char c) {
     return c == '\n' || c == '\r';
+}
+inline bool is_digit(char c) {
+    return static_cast<unsigned char>(c - '0') < 10;
 }
 
 /// Reads one decimal number at `begin`, rounded correctly; a leading + is allowed, nan and inf are read as
@@ -78,16 +84,20 @@ private:
     int significant_ = 1; ///< most digits after leading zeros
 };
 
+/// Where x, y and z of a slot begin.
+using TextOffsets = std::array<std::size_t, 3>;
+
 /// Coordinates as words of a text file.
 class TextStore final : public CoordinateStore {
 public:
     explicit TextStore(std::string_view bytes) : bytes_(bytes) {}
 
     void reserve(std::size_t slots) { offsets_.reserve(slots); }
-    /// Adds the next slot; the offsets are those of its x, y and z.
-    void add(const std::array<std::size_t, 3>& offsets);
-    /// Adds all slots of another store over the same bytes.
-    void append(const TextStore& part);
+    /// Adds the next slot. All of them come before anything is asked.
+    void add(const TextOffsets& offsets) { offsets_.push_back(offsets); }
+    void add(std::span<const TextOffsets> slots) {
+        offsets_.insert(offsets_.end(), slots.begin(), slots.end());
+    }
     std::size_t size() const { return offsets_.size(); }
 
     double step(const Welding& welding) const override;
@@ -97,11 +107,15 @@ public:
 
 private:
     std::size_t end_of(std::size_t offset) const;
+    /// Learned when it is first asked for: who only reads a file goes through its numbers once.
+    const TextStyle& style() const;
+    TextStyle learned() const;
     std::string patched(const Welding& welding, std::span<const Vec3> wanted, std::size_t begin,
                         std::size_t end) const;
     std::string_view bytes_;
-    std::vector<std::array<std::size_t, 3>> offsets_;
-    TextStyle style_;
+    std::vector<TextOffsets> offsets_;
+    mutable std::mutex guard_; ///< of the style
+    mutable std::optional<TextStyle> style_;
 };
 
 } // namespace wm3d::io

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "../src/text.hpp"
 
+#include <array>
+#include <bit>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
+#include <string>
 
 #include <doctest/doctest.h>
 
@@ -15,9 +21,9 @@ double number(std::string_view text) {
     return parse_number(text.data(), text.data() + text.size(), value) == nullptr ? std::nan("") : value;
 }
 
-std::string styled(std::initializer_list<std::string_view> seen, double value) {
+std::string styled(std::initializer_list<std::string> seen, double value) {
     TextStyle style;
-    for (std::string_view text : seen)
+    for (const std::string& text : seen)
         style.learn(text);
     char out[400];
     return std::string(style.format(value, out));
@@ -56,6 +62,37 @@ TEST_CASE("numbers are written as the file writes them") {
     CHECK(styled({"-8.32331e-02", "1.00000e+00"}, 0.1234567) == "1.23457e-01");
     CHECK(styled({"1e-06", "15.3644"}, 15.123456) == "15.1235");
     CHECK(styled({"1", "25"}, 7.6) == "8");
+}
+
+TEST_CASE("plain decimals are read and written as the standard library does") {
+    std::mt19937_64 random(1);
+    for (int i = 0; i < 20000; ++i) {
+        const int decimals = i % 18;
+        const double size = std::ldexp(1.0, static_cast<int>(random() % 60) - 40);
+        // Every other value is a half of the last decimal, as near as double comes to it.
+        const double value = i % 2 == 0
+                                 ? size * (static_cast<double>(random()) / 0x1p63 - 1)
+                                 : (static_cast<double>(random() % 2000) - 999.5) * std::pow(10.0, -decimals);
+        std::array<char, 400> text{};
+        const auto end =
+            std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals)
+                .ptr;
+        const std::string expected(text.data(), end);
+        CAPTURE(expected);
+        CHECK(styled({decimals == 0 ? "1" : "0." + std::string(static_cast<std::size_t>(decimals), '1')},
+                     value) == expected);
+        double read = 0;
+        std::from_chars(expected.data(), expected.data() + expected.size(), read);
+        CHECK(std::bit_cast<std::uint64_t>(number(expected)) == std::bit_cast<std::uint64_t>(read));
+    }
+    for (const std::string_view text :
+         {"5.", "5.e1", "0x1", "1.5e", "9007199254740993", "18446744073709551616.5", "1.2.3"}) {
+        CAPTURE(text);
+        double expected = 0, read = 0;
+        const char* const end = std::from_chars(text.data(), text.data() + text.size(), expected).ptr;
+        CHECK(parse_number(text.data(), text.data() + text.size(), read) == end);
+        CHECK(read == expected);
+    }
 }
 
 TEST_CASE("rounding is what writing and reading gives") {
