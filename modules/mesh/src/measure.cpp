@@ -16,12 +16,6 @@ void extend(Box& box, const Vec3& p) {
     box.max = box.max.cwiseMax(p);
 }
 
-/// Here for the loops of this file.
-inline Vec3 vector_of(const TriangleMesh& mesh, const Triangle& t) {
-    const Vec3& a = mesh.positions[t[0]];
-    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
-}
-
 } // namespace
 
 Box bounding_box(std::span<const Vec3> points) {
@@ -56,15 +50,11 @@ Box surface_box(const TriangleMesh& mesh) {
     return box;
 }
 
-Vec3 area_vector(const TriangleMesh& mesh, std::size_t f) {
-    return vector_of(mesh, mesh.triangles[f]);
-}
-
 std::vector<double> triangle_areas(const TriangleMesh& mesh) {
     std::vector<double> areas(mesh.triangles.size());
     parallel_blocks(areas.size(), measure_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            areas[f] = 0.5 * vector_of(mesh, mesh.triangles[f]).norm();
+            areas[f] = 0.5 * area_vector(mesh, f).norm();
     });
     return areas;
 }
@@ -90,7 +80,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
         for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
             if (std::ranges::none_of(mesh.triangles[f], is_own))
                 continue;
-            const Vec3 weighted = vector_of(mesh, mesh.triangles[f]);
+            const Vec3 weighted = area_vector(mesh, f);
             for (Index v : mesh.triangles[f])
                 if (is_own(v))
                     normals[v] += weighted;
@@ -104,7 +94,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 
 double surface_area(const TriangleMesh& mesh) {
     return parallel_sum_of(mesh.triangles.size(), measure_block,
-                           [&](std::size_t f) { return 0.5 * vector_of(mesh, mesh.triangles[f]).norm(); });
+                           [&](std::size_t f) { return 0.5 * area_vector(mesh, f).norm(); });
 }
 
 } // namespace wm3d

@@ -2,6 +2,7 @@
 /// \file  Areas, normals and extents.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -23,7 +24,11 @@ Box bounding_box(std::span<const Vec3> points);
 Box surface_box(const TriangleMesh& mesh);
 
 /// Twice the area of triangle f times its unit normal; zero for a degenerate triangle.
-Vec3 area_vector(const TriangleMesh& mesh, std::size_t f);
+inline Vec3 area_vector(const TriangleMesh& mesh, std::size_t f) {
+    const Triangle& t = mesh.triangles[f];
+    const Vec3& a = mesh.positions[t[0]];
+    return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
 
 /// Area of every triangle, #F, in squared units of the file.
 std::vector<double> triangle_areas(const TriangleMesh& mesh);
