@@ -24,18 +24,24 @@ constexpr double least_sphericity = 0.003;
 constexpr double most_openness = 0.1;
 constexpr double doubt = 3; ///< factor by which an attack may have moved them
 
+/// A triangle, its corners seen from an origin near the mesh, which keeps digits far from zero.
 struct Corners {
     Vec3 a, b, c;
-    double area;
+
+    Corners(const TriangleMesh& mesh, std::size_t f, const Vec3& origin)
+        : a(mesh.positions[mesh.triangles[f][0]] - origin), b(mesh.positions[mesh.triangles[f][1]] - origin),
+          c(mesh.positions[mesh.triangles[f][2]] - origin) {}
+
+    Vec3 sum() const { return a + b + c; }
+    /// Of the tetrahedron between the triangle and the origin, signed.
+    double volume() const { return a.dot(b.cross(c)) / 6; }
 };
 
-Corners corners(const TriangleMesh& mesh, std::size_t f, const Vec3& origin) {
-    const Triangle& t = mesh.triangles[f];
-    return {mesh.positions[t[0]] - origin, mesh.positions[t[1]] - origin, mesh.positions[t[2]] - origin,
-            0.5 * area_vector(mesh, f).norm()};
+double triangle_area(const TriangleMesh& mesh, std::size_t f) {
+    return 0.5 * area_vector(mesh, f).norm();
 }
 
-/// Moments of order 0 and 1; the origin is any point near the mesh, to keep digits far from zero.
+/// Moments of order 0 and 1.
 struct FirstMoments {
     double area = 0;
     Vec3 moment = Vec3::Zero();
@@ -51,40 +57,63 @@ FirstMoments first_moments(const TriangleMesh& mesh, const Vec3& origin) {
                         [&](std::size_t begin, std::size_t end) {
                             FirstMoments sum;
                             for (std::size_t f = begin; f < end; ++f) {
-                                const Corners t = corners(mesh, f, origin);
-                                sum.area += t.area;
-                                sum.moment += t.area / 3 * (t.a + t.b + t.c);
+                                const double area = triangle_area(mesh, f);
+                                sum.area += area;
+                                sum.moment += area / 3 * Corners(mesh, f, origin).sum();
                             }
                             return sum;
                         });
 }
 
-/// Integral of p p^T over the surface: on a triangle, area/12 (s s^T + a a^T + b b^T + c c^T), s = a + b + c.
-Mat3 second_moments(const TriangleMesh& mesh, const Vec3& origin) {
-    const Mat3 zero = Mat3::Zero();
-    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Mat3 {
-        Mat3 sum = Mat3::Zero();
-        for (std::size_t f = begin; f < end; ++f) {
-            const Corners t = corners(mesh, f, origin);
-            const Vec3 s = t.a + t.b + t.c;
-            sum +=
-                t.area / 12 *
-                (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
-        }
-        return sum;
-    });
-}
+/// A symmetric matrix.
+struct Symmetric {
+    Eigen::Array3d squares = Eigen::Array3d::Zero();  ///< xx, yy, zz
+    Eigen::Array3d products = Eigen::Array3d::Zero(); ///< xy, yz, zx
 
-struct Cone {
-    Vec3 a, b, c;
-    double volume; ///< of the tetrahedron between the triangle and the apex, signed
+    Symmetric& operator+=(const Symmetric& o) {
+        squares += o.squares;
+        products += o.products;
+        return *this;
+    }
+
+    Mat3 matrix() const {
+        Mat3 full = squares.matrix().asDiagonal();
+        full(0, 1) = full(1, 0) = products[0];
+        full(1, 2) = full(2, 1) = products[1];
+        full(2, 0) = full(0, 2) = products[2];
+        return full;
+    }
 };
 
-Cone cone(const TriangleMesh& mesh, std::size_t f, const Vec3& apex) {
-    const Triangle& t = mesh.triangles[f];
-    Cone result{mesh.positions[t[0]] - apex, mesh.positions[t[1]] - apex, mesh.positions[t[2]] - apex, 0};
-    result.volume = result.a.dot(result.b.cross(result.c)) / 6;
-    return result;
+/// Sum over the triangles of weight(corners, f) (s s^T + a a^T + b b^T + c c^T), s = a + b + c: the integral of p p^T over a
+/// triangle with area/12 as its weight, and over the tetrahedron between it and the origin with volume/20.
+template<typename Weight>
+Mat3 second_moments(const TriangleMesh& mesh, const Vec3& origin, Weight&& weight) {
+    const auto next = [](const Vec3& v) { return Eigen::Array3d(v.y(), v.z(), v.x()); };
+    return parallel_sum(mesh.triangles.size(), block, Symmetric{},
+                        [&](std::size_t begin, std::size_t end) {
+                            Symmetric sum;
+                            for (std::size_t f = begin; f < end; ++f) {
+                                const Corners t(mesh, f, origin);
+                                const Vec3 s = t.sum();
+                                const double w = weight(t, f);
+                                sum.squares += w * (s.array().square() + t.a.array().square() +
+                                                    t.b.array().square() + t.c.array().square());
+                                sum.products += w * (s.array() * next(s) + t.a.array() * next(t.a) +
+                                                     t.b.array() * next(t.b) + t.c.array() * next(t.c));
+                            }
+                            return sum;
+                        })
+        .matrix();
+}
+
+Mat3 surface_second_moments(const TriangleMesh& mesh, const Vec3& origin) {
+    return second_moments(mesh, origin,
+                          [&](const Corners&, std::size_t f) { return triangle_area(mesh, f) / 12; });
+}
+
+Mat3 solid_second_moments(const TriangleMesh& mesh, const Vec3& apex) {
+    return second_moments(mesh, apex, [](const Corners& t, std::size_t) { return t.volume() / 20; });
 }
 
 /// What the volume and the first moment about any apex follow from: sums over the triangles of the signed
@@ -113,25 +142,13 @@ ApexSums apex_sums(const TriangleMesh& mesh, const Vec3& origin) {
     return parallel_sum(mesh.triangles.size(), block, ApexSums{}, [&](std::size_t begin, std::size_t end) {
         ApexSums sum;
         for (std::size_t f = begin; f < end; ++f) {
-            const Cone t = cone(mesh, f, origin);
-            const Vec3 n = 0.5 * (t.b - t.a).cross(t.c - t.a), s = t.a + t.b + t.c;
-            sum += {t.volume, n, t.volume * s, s * n.transpose()};
-        }
-        return sum;
-    });
-}
-
-/// Integral of p p^T over the tetrahedra between the triangles and the apex.
-Mat3 solid_second_moments(const TriangleMesh& mesh, const Vec3& apex) {
-    const Mat3 zero = Mat3::Zero();
-    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Mat3 {
-        Mat3 sum = Mat3::Zero();
-        for (std::size_t f = begin; f < end; ++f) {
-            const Cone t = cone(mesh, f, apex);
-            const Vec3 s = t.a + t.b + t.c;
-            sum +=
-                t.volume / 20 *
-                (s * s.transpose() + t.a * t.a.transpose() + t.b * t.b.transpose() + t.c * t.c.transpose());
+            const Corners t(mesh, f, origin);
+            const Vec3 n = 0.5 * (t.b - t.a).cross(t.c - t.a), s = t.sum();
+            const double volume = t.volume();
+            sum.volume += volume;
+            sum.area_vector += n;
+            sum.moment += volume * s;
+            sum.mixed += s * n.transpose();
         }
         return sum;
     });
@@ -158,19 +175,61 @@ bool is_solid(const SolidMoments& moments, double margin) {
     return moments.sphericity > margin * least_sphericity && moments.openness * margin < most_openness;
 }
 
-/// Integral of x^3 over the surface for each axis: on a triangle, area/10 times the sum of all products
-/// of degree 3 of the corners' coordinates.
-Vec3 third_moments(const TriangleMesh& mesh, const Vec3& origin, const Mat3& axes) {
-    const Vec3 zero = Vec3::Zero();
-    return parallel_sum(mesh.triangles.size(), block, zero, [&](std::size_t begin, std::size_t end) -> Vec3 {
-        Vec3 sum = Vec3::Zero();
+/// Integral over a triangle of the distance from the origin, over its area: Radon's seven-point rule, exact for polynomials of
+/// degree 5. The roots are taken together with that of `square`.
+/// \param root  set to the root of `square`
+double mean_distance(const Corners& t, double square, double& root) {
+    static const double root15 = std::sqrt(15.0);
+    static const double w0 = 0.225, w1 = (155 - root15) / 1200, w2 = (155 + root15) / 1200;
+    static const double p1 = (6 - root15) / 21, p2 = (6 + root15) / 21;
+    const Vec3 s = t.sum(), s1 = p1 * s, s2 = p2 * s;
+    Eigen::Array<double, 8, 1> lengths;
+    lengths << square, (s / 3).squaredNorm(), (s1 + (1 - 3 * p1) * t.a).squaredNorm(),
+        (s2 + (1 - 3 * p2) * t.a).squaredNorm(), (s1 + (1 - 3 * p1) * t.b).squaredNorm(),
+        (s2 + (1 - 3 * p2) * t.b).squaredNorm(), (s1 + (1 - 3 * p1) * t.c).squaredNorm(),
+        (s2 + (1 - 3 * p2) * t.c).squaredNorm();
+    lengths = lengths.sqrt();
+    root = lengths[0];
+    double mean = w0 * lengths[1];
+    for (const int k : {2, 4, 6})
+        mean = mean + w1 * lengths[k] + w2 * lengths[k + 1];
+    return mean;
+}
+
+/// What the scale of a frame and the signs of its axes are taken from.
+struct Outreach {
+    double area = 0, radius = 0;                   ///< integrals of 1 and of the distance from the centre
+    Eigen::Array2d cubes = Eigen::Array2d::Zero(); ///< of x^3 and y^3 along the first two axes
+
+    Outreach& operator+=(const Outreach& o) {
+        area += o.area;
+        radius += o.radius;
+        cubes += o.cubes;
+        return *this;
+    }
+    double mean_radius() const { return area > 0 ? radius / area : 0; }
+};
+
+/// Integral of x^3 over a triangle, over its area, is a tenth of the sum of all products of degree 3 of the corners'
+/// coordinates.
+Eigen::Array2d tenfold_cubes(const Corners& t, const Eigen::Matrix<double, 2, 3>& axes) {
+    const Eigen::Array2d a = axes * t.a, b = axes * t.b, c = axes * t.c;
+    const Eigen::Array2d h2ab = a * a + a * b + b * b;
+    return a * a * a + b * h2ab + c * (h2ab + c * (a + b) + c * c);
+}
+
+Outreach outreach(const TriangleMesh& mesh, const Vec3& centre, const Mat3& all_axes) {
+    const Eigen::Matrix<double, 2, 3> axes = all_axes.topRows<2>();
+    return parallel_sum(mesh.triangles.size(), block, Outreach{}, [&](std::size_t begin, std::size_t end) {
+        Outreach sum;
         for (std::size_t f = begin; f < end; ++f) {
-            const Corners t = corners(mesh, f, origin);
-            const Eigen::Array3d a = (axes * t.a).array(), b = (axes * t.b).array(), c = (axes * t.c).array();
-            // complete homogeneous polynomial h3(a, b, c)
-            const Eigen::Array3d h2ab = a * a + a * b + b * b;
-            const Eigen::Array3d h3 = a * a * a + b * h2ab + c * (h2ab + c * (a + b) + c * c);
-            sum += t.area / 10 * h3.matrix();
+            const Corners t(mesh, f, centre);
+            double double_area = 0;
+            const double distance = mean_distance(t, area_vector(mesh, f).squaredNorm(), double_area);
+            const double area = 0.5 * double_area;
+            sum.area += area;
+            sum.radius += area * distance;
+            sum.cubes += area / 10 * tenfold_cubes(t, axes);
         }
         return sum;
     });
@@ -228,33 +287,12 @@ SolidMoments solid_within(const TriangleMesh& mesh, const SurfaceMoments& surfac
 
 SurfaceMoments surface_moments(const TriangleMesh& mesh) {
     SurfaceMoments moments = first_surface_moments(mesh);
-    moments.covariance = second_moments(mesh, moments.centroid) / moments.area;
+    moments.covariance = surface_second_moments(mesh, moments.centroid) / moments.area;
     return moments;
 }
 
 double mean_radius(const TriangleMesh& mesh, const Vec3& centre) {
-    // Radon's seven-point rule, exact for polynomials of degree 5.
-    static const double root15 = std::sqrt(15.0);
-    const double w0 = 0.225, w1 = (155 - root15) / 1200, w2 = (155 + root15) / 1200;
-    const double p1 = (6 - root15) / 21, p2 = (6 + root15) / 21;
-    double area = 0;
-    const double sum =
-        parallel_sum(mesh.triangles.size(), block, 0.0, [&](std::size_t begin, std::size_t end) {
-            double s = 0;
-            for (std::size_t f = begin; f < end; ++f) {
-                const Corners t = corners(mesh, f, centre);
-                const Vec3 total = t.a + t.b + t.c;
-                double radius = w0 * (total / 3).norm();
-                for (const Vec3* corner : {&t.a, &t.b, &t.c}) {
-                    radius += w1 * (p1 * total + (1 - 3 * p1) * *corner).norm();
-                    radius += w2 * (p2 * total + (1 - 3 * p2) * *corner).norm();
-                }
-                s += t.area * radius;
-            }
-            return s;
-        });
-    area = surface_area(mesh);
-    return area > 0 ? sum / area : 0;
+    return outreach(mesh, centre, Mat3::Identity()).mean_radius();
 }
 
 SolidMoments solid_moments(const TriangleMesh& mesh) {
@@ -302,15 +340,14 @@ Mat3 principal_axes(const Mat3& covariance) {
 Frame principal_frame(const TriangleMesh& mesh, const CentralMoments& moments) {
     Frame frame;
     frame.centroid = moments.centroid;
-    frame.scale = mean_radius(mesh, frame.centroid);
+    Mat3 axes = principal_axes(moments.covariance);
+    const Outreach reach = outreach(mesh, frame.centroid, axes);
+    frame.scale = reach.mean_radius();
     if (!(frame.scale > 0))
         throw GeometryError(
             "all points of the surface coincide, so the mesh has no shape to mark or to examine");
-
-    Mat3 axes = principal_axes(moments.covariance);
-    const Vec3 skew = third_moments(mesh, frame.centroid, axes);
     for (int k : {0, 1})
-        if (skew[k] < 0)
+        if (reach.cubes[k] < 0)
             axes.row(k) = -axes.row(k);
     axes.row(2) = axes.row(0).cross(axes.row(1));
     frame.axes = axes;
