@@ -11,10 +11,6 @@ namespace wm3d::embed {
 
 namespace {
 
-Vec3 area_vector_of(std::span<const Vec3> p, const Triangle& t) {
-    return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]);
-}
-
 bool is_sliver(std::span<const Vec3> p, const Triangle& t, double double_area) {
     const double longest = std::max({(p[t[1]] - p[t[0]]).squaredNorm(), (p[t[2]] - p[t[1]]).squaredNorm(),
                                      (p[t[0]] - p[t[2]]).squaredNorm()});
@@ -22,8 +18,13 @@ bool is_sliver(std::span<const Vec3> p, const Triangle& t, double double_area) {
 }
 
 bool is_turned(const TriangleMesh& mesh, std::span<const Vec3> moved, const Triangle& t) {
-    const Vec3 before = area_vector_of(mesh.positions, t);
-    return before.dot(area_vector_of(moved, t)) <= 0 && !is_sliver(mesh.positions, t, before.norm());
+    const auto area_vector_of = [](const Vec3& a, const Vec3& b, const Vec3& c) -> Vec3 {
+        return (b - a).cross(c - a);
+    };
+    const std::span<const Vec3> p = mesh.positions;
+    const Vec3 before = area_vector_of(p[t[0]], p[t[1]], p[t[2]]);
+    const Vec3 after = area_vector_of(moved[t[0]], moved[t[1]], moved[t[2]]);
+    return before.dot(after) <= 0 && !is_sliver(p, t, before.norm());
 }
 
 /// Faces that a predicate holds for, ascending.
