@@ -6,111 +6,136 @@
 
 #include <Eigen/Geometry>
 
+#include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/sides.hpp>
 
 namespace wm3d::masking {
 
 namespace {
 
-/// Radians that a hinge of triangles at an angle may turn.
-double limit_of(double angle, const CreaseOptions& options) {
-    return options.flat + options.share * angle;
-}
-
-} // namespace
-
-Creases::Creases(const TriangleMesh& mesh, std::span<const Vec3> normals)
-    : first_(mesh.positions.size() + 1, 0) {
-    const std::vector<Side> sides = sorted_sides(mesh);
-    hinges_.reserve(sides.size() / 2);
-    for_each_edge(sides, [&](std::span<const Side> edge) {
-        if (edge.size() == 2)
-            add(mesh, normals, {edge[0].low, edge[0].high, opposite(mesh, edge[0]), opposite(mesh, edge[1])});
-    });
-    for (const Hinge& hinge : hinges_)
-        for (Index v : hinge.vertices)
-            ++first_[v + 1];
-    for (std::size_t v = 1; v < first_.size(); ++v)
-        first_[v] += first_[v - 1];
-    at_vertex_.resize(first_.back());
-    std::vector<Index> next(first_.begin(), first_.end() - 1);
-    for (Index h = 0; h < hinges_.size(); ++h)
-        for (Index v : hinges_[h].vertices)
-            at_vertex_[next[v]++] = h;
-}
-
-/// \param vertices  both ends of the edge, and the corners opposite
-void Creases::add(const TriangleMesh& mesh, std::span<const Vec3> normals,
-                  const std::array<Index, 4>& vertices) {
-    constexpr double sliver = 1e-9; // height over the edge
-    const auto at = [&](std::size_t k) -> const Vec3& { return mesh.positions[vertices[k]]; };
-    const Vec3 edge = at(1) - at(0);
-    const double length = edge.norm();
-    std::array<Vec3, 2> gradient; // of the angle, by the moves of either corner
-    std::array<double, 2> along;  // where the corner's height meets the edge, of its length
-    std::array<Vec3, 2> normal;
-    for (std::size_t side = 0; side < 2; ++side) {
-        const Vec3 to_corner = at(2 + side) - at(0);
-        const Vec3 across = side == 0 ? edge.cross(to_corner) : to_corner.cross(edge);
-        const double height = length > 0 ? across.norm() / length : 0;
-        if (!(height > sliver * length))
-            return;
-        normal[side] = across / (length * height);
-        gradient[side] = normal[side] / height;
-        along[side] = edge.dot(to_corner) / (length * length);
-    }
-    const Vec3 low = -(1 - along[0]) * gradient[0] - (1 - along[1]) * gradient[1];
-    const Vec3 high = -along[0] * gradient[0] - along[1] * gradient[1];
-    const double angle = std::atan2(normal[0].cross(normal[1]).norm(), normal[0].dot(normal[1]));
-    hinges_.push_back({vertices,
-                       {low.dot(normals[vertices[0]]), high.dot(normals[vertices[1]]),
-                        gradient[0].dot(normals[vertices[2]]), gradient[1].dot(normals[vertices[3]])},
-                       angle});
-}
-
-double Creases::turn(const Hinge& hinge, std::span<const double> moves) const {
-    double sum = 0;
-    for (std::size_t k = 0; k < 4; ++k)
-        sum += hinge.turns[k] * moves[hinge.vertices[k]];
-    return sum;
-}
-
-double Creases::worst(std::span<const double> moves, const CreaseOptions& options) const {
-    double most = 0;
-    for (const Hinge& hinge : hinges_)
-        most = std::max(most, std::abs(turn(hinge, moves)) / limit_of(hinge.angle, options));
-    return most;
-}
-
-std::vector<Index> Creases::turned_too_far(std::span<const double> moves,
-                                           const CreaseOptions& options) const {
-    std::vector<Index> found;
-    for (Index h = 0; h < hinges_.size(); ++h)
-        if (std::abs(turn(hinges_[h], moves)) > (1 + options.tolerance) * limit_of(hinges_[h].angle, options))
-            found.push_back(h);
-    return found;
-}
+constexpr std::size_t hinge_block = 8192;
 
 /// The hinges that share a vertex with these, ascending.
-std::vector<Index> Creases::around(std::span<const Index> hinges) const {
+std::vector<Index> around(std::span<const Index> changed, std::span<const std::array<Index, 4>> vertices,
+                          std::span<const Index> first, std::span<const Index> at_vertex) {
     std::vector<Index> found;
-    for (Index h : hinges)
-        for (Index v : hinges_[h].vertices)
-            found.insert(found.end(), at_vertex_.begin() + first_[v], at_vertex_.begin() + first_[v + 1]);
+    for (Index h : changed)
+        for (Index v : vertices[h])
+            found.insert(found.end(), at_vertex.begin() + first[v], at_vertex.begin() + first[v + 1]);
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
+} // namespace
+
+Creases::Creases(const TriangleMesh& mesh, std::span<const Vec3> normals) : mesh_(mesh), normals_(normals) {
+    const std::vector<Side> sides = sorted_sides(mesh);
+    vertices_.reserve(sides.size() / 2);
+    for_each_edge(sides, [&](std::span<const Side> edge) {
+        if (edge.size() == 2)
+            vertices_.push_back(
+                {edge[0].low, edge[0].high, opposite(mesh, edge[0]), opposite(mesh, edge[1])});
+    });
+}
+
+Creases::Hinge Creases::hinge(Index h) const {
+    constexpr double sliver = 1e-9; // height over the edge
+    Hinge hinge{vertices_[h], {}, {Vec3::Zero(), Vec3::Zero()}};
+    const auto at = [&](std::size_t k) -> const Vec3& { return mesh_.positions[hinge.vertices[k]]; };
+    const Vec3 edge = at(1) - at(0);
+    const double length = edge.norm();
+    std::array<Vec3, 2> gradient; // of the angle, by the moves of either corner
+    std::array<double, 2> along;  // where the corner's height meets the edge, of its length
+    for (std::size_t side = 0; side < 2; ++side) {
+        const Vec3 to_corner = at(2 + side) - at(0);
+        const Vec3 across = side == 0 ? edge.cross(to_corner) : to_corner.cross(edge);
+        const double height = length > 0 ? across.norm() / length : 0;
+        if (!(height > sliver * length))
+            return hinge;
+        hinge.normals[side] = across / (length * height);
+        gradient[side] = hinge.normals[side] / height;
+        along[side] = edge.dot(to_corner) / (length * length);
+    }
+    const Vec3 low = -(1 - along[0]) * gradient[0] - (1 - along[1]) * gradient[1];
+    const Vec3 high = -along[0] * gradient[0] - along[1] * gradient[1];
+    const auto along_normal = [&](const Vec3& g, std::size_t k) {
+        return g.dot(normals_[hinge.vertices[k]]);
+    };
+    hinge.turns = {along_normal(low, 0), along_normal(high, 1), along_normal(gradient[0], 2),
+                   along_normal(gradient[1], 3)};
+    return hinge;
+}
+
+/// Radians, to first order in the moves.
+double Creases::Hinge::turn(std::span<const double> moves) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        sum += turns[k] * moves[vertices[k]];
+    return sum;
+}
+
+/// Radians that it may turn, by the angle between its triangles.
+double Creases::Hinge::limit(const CreaseOptions& options) const {
+    const double angle = std::atan2(normals[0].cross(normals[1]).norm(), normals[0].dot(normals[1]));
+    return options.flat + options.share * angle;
+}
+
+double Creases::worst(std::span<const double> moves, const CreaseOptions& options) const {
+    double most = 0;
+    for (Index h = 0; h < vertices_.size(); ++h) {
+        const Hinge hinge = this->hinge(h);
+        most = std::max(most, std::abs(hinge.turn(moves)) / hinge.limit(options));
+    }
+    return most;
+}
+
+/// Ascending.
+std::vector<Index> Creases::turned_too_far(std::span<const double> moves,
+                                           const CreaseOptions& options) const {
+    const double tolerated = 1 + options.tolerance;
+    std::vector<std::vector<Index>> of_block((vertices_.size() + hinge_block - 1) / hinge_block);
+    parallel_blocks(vertices_.size(), hinge_block, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t h = begin; h < end; ++h) {
+            const Hinge hinge = this->hinge(static_cast<Index>(h));
+            const double turned = std::abs(hinge.turn(moves));
+            if (turned > tolerated * options.flat && turned > tolerated * hinge.limit(options))
+                of_block[begin / hinge_block].push_back(static_cast<Index>(h));
+        }
+    });
+    std::vector<Index> found;
+    for (const std::vector<Index>& block : of_block)
+        found.insert(found.end(), block.begin(), block.end());
+    return found;
+}
+
+Creases::Filed Creases::by_vertex() const {
+    Filed filed{std::vector<Index>(mesh_.positions.size() + 1, 0), {}};
+    for (const auto& hinge : vertices_)
+        for (Index v : hinge)
+            ++filed.first[v + 1];
+    for (std::size_t v = 1; v < filed.first.size(); ++v)
+        filed.first[v] += filed.first[v - 1];
+    filed.hinges.resize(filed.first.back());
+    std::vector<Index> next(filed.first.begin(), filed.first.end() - 1);
+    for (Index h = 0; h < vertices_.size(); ++h)
+        for (Index v : vertices_[h])
+            filed.hinges[next[v]++] = h;
+    return filed;
+}
+
 void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) const {
+    std::vector<Index> active = turned_too_far(moves, options), changed;
+    if (active.empty())
+        return;
     std::vector<double> weight(moves.size());
     std::ranges::transform(moves, weight.begin(), [](double m) { return m * m; });
-    std::vector<Index> active = turned_too_far(moves, options), changed;
+    const Filed filed = by_vertex();
     for (std::size_t round = 0; round < options.most_rounds && !active.empty(); ++round) {
         changed.clear();
         for (Index h : active) {
-            const Hinge& hinge = hinges_[h];
-            const double turned = turn(hinge, moves), limit = limit_of(hinge.angle, options);
+            const Hinge hinge = this->hinge(h);
+            const double turned = hinge.turn(moves), limit = hinge.limit(options);
             const double excess = std::abs(turned) - limit;
             if (excess <= options.tolerance * limit)
                 continue;
@@ -122,7 +147,7 @@ void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) co
                     std::copysign(excess, turned) * weight[hinge.vertices[k]] * hinge.turns[k] / square;
             changed.push_back(h);
         }
-        active = around(changed);
+        active = around(changed, vertices_, filed.first, filed.hinges);
     }
 }
 

@@ -67,7 +67,8 @@ TEST_CASE("moves that fold a crease are taken back as far as needed, by those th
 
 TEST_CASE("moves that fold no crease stay as they are") {
     const TriangleMesh mesh = shapes::blob(4000, 11);
-    const Creases creases(mesh, vertex_normals(mesh));
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    const Creases creases(mesh, normals);
     std::vector<double> moves(mesh.positions.size());
     for (std::size_t i = 0; i < moves.size(); ++i)
         moves[i] = 1e-3 * std::sin(mesh.positions[i].x());

@@ -60,7 +60,9 @@ const masking::Budget& Marker::made_budget() const {
 /// What doesn't depend on each other is made at once, but on large meshes, where each takes memory while it is made.
 Marker::Carried Marker::fresh_carriers(unsigned level) const {
     std::optional<Carried> fresh;
-    const auto make = [&] { fresh = Carried{std::nullopt, masking::Carriers(mesh_, frame_), std::nullopt}; };
+    const auto make = [&] {
+        fresh.emplace(Carried{std::nullopt, masking::Carriers(mesh_, frame_), std::nullopt});
+    };
     if (mesh_.positions.size() <= large) {
         parallel_invoke([&] { made_budget(); }, make);
         fresh->rows = rows(level, 0, mesh_.positions.size());

@@ -23,7 +23,7 @@ struct CreaseOptions {
 class Creases {
 public:
     /// \param mesh     any triangles; edges that don't have two triangles with an area are left out
-    /// \param normals  unit, #V, along which vertices move
+    /// \param normals  unit, #V, along which vertices move; they and the mesh have to outlive the object
     Creases(const TriangleMesh& mesh, std::span<const Vec3> normals);
 
     /// Takes back what folds a crease: projects the moves on one hinge's limits after the other (S. Kaczmarz 1937),
@@ -36,19 +36,27 @@ public:
     double worst(std::span<const double> moves, const CreaseOptions& options = {}) const;
 
 private:
+    /// What a hinge is by the places of its vertices: made where it is asked for, since few are asked for twice.
     struct Hinge {
-        std::array<Index, 4> vertices;
-        std::array<double, 4> turns; ///< radians per move of each
-        double angle;                ///< radians, between the triangles
+        std::array<Index, 4> vertices; ///< both ends of the edge, and the corners opposite
+        std::array<double, 4> turns{}; ///< radians per move of each; 0 where a triangle has no area
+        std::array<Vec3, 2> normals;   ///< of the triangles, unit
+
+        double turn(std::span<const double> moves) const;
+        double limit(const CreaseOptions& options) const;
+    };
+    /// Hinges by their vertices.
+    struct Filed {
+        std::vector<Index> first, hinges; ///< those of vertex v: from first[v] up to first[v + 1]
     };
 
-    void add(const TriangleMesh& mesh, std::span<const Vec3> normals, const std::array<Index, 4>& vertices);
-    double turn(const Hinge& hinge, std::span<const double> moves) const;
+    Hinge hinge(Index h) const;
     std::vector<Index> turned_too_far(std::span<const double> moves, const CreaseOptions& options) const;
-    std::vector<Index> around(std::span<const Index> hinges) const;
+    Filed by_vertex() const;
 
-    std::vector<Hinge> hinges_;
-    std::vector<Index> first_, at_vertex_; ///< hinges of vertex v: at_vertex_[first_[v]] up to first_[v + 1]
+    const TriangleMesh& mesh_;
+    std::span<const Vec3> normals_;
+    std::vector<std::array<Index, 4>> vertices_; ///< of each hinge, as Hinge has them
 };
 
 /// Moved positions of the mesh, #V, whose moves along the normals fold no crease any more.
