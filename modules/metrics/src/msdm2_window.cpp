@@ -38,6 +38,23 @@ void Msdm2Windows::add_vertex(const WindowSample& centre, const OutwardWalk::Rea
                          q.c[k] - centre.c[k], q.c_hat[k] - centre.c_hat[k]);
 }
 
+/// Where the edges that the walk took leave a sphere. Which ones do no processor foresees: all are written down, and those
+/// that don't are written over.
+void Msdm2Windows::add_crossings(const WindowSample& centre, std::size_t k) {
+    const std::span<const OutwardWalk::Reached> reached = walk_.reached();
+    const std::span<const OutwardWalk::Step> steps = walk_.steps();
+    crossing_.resize(std::max(crossing_.size(), steps.size() + 1));
+    std::size_t count = 0;
+    const double square = radii_[k] * radii_[k];
+    for (Index i = 0; i < steps.size(); ++i) {
+        const OutwardWalk::Reached& start = reached[steps[i].reached];
+        crossing_[count] = i;
+        count += (start.square <= square) & (steps[i].to_square > square) & thinning_.keeps(start.vertex);
+    }
+    for (const Index i : std::span(crossing_.data(), count))
+        add_crossing(centre, reached[steps[i].reached], steps[i], k);
+}
+
 void Msdm2Windows::add_crossing(const WindowSample& centre, const OutwardWalk::Reached& start,
                                 const OutwardWalk::Step& step, std::size_t k) {
     const WindowSample& u = samples_[start.vertex];
@@ -65,14 +82,8 @@ double Msdm2Windows::local_distance(Index vertex) {
     for (const OutwardWalk::Reached& reached : walk_.reached().subspan(1))
         if (thinning_.keeps(reached.vertex))
             add_vertex(centre, reached);
-    for (const OutwardWalk::Step& step : walk_.steps()) {
-        const OutwardWalk::Reached& start = walk_.reached()[step.reached];
-        if (!thinning_.keeps(start.vertex))
-            continue;
-        for (std::size_t k = 0; k < radii_.size(); ++k)
-            if (start.is_within(radii_[k]) && !step.ends_within(radii_[k]))
-                add_crossing(centre, start, step, k);
-    }
+    for (std::size_t k = 0; k < radii_.size(); ++k)
+        add_crossings(centre, k);
     double sum = 0;
     for (std::size_t k = 0; k < radii_.size(); ++k)
         sum += distance_of(sums_[k], centre.c[k], centre.c_hat[k]);

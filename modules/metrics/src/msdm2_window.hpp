@@ -46,6 +46,7 @@ private:
     };
 
     void add_vertex(const WindowSample& centre, const OutwardWalk::Reached& reached);
+    void add_crossings(const WindowSample& centre, std::size_t scale);
     void add_crossing(const WindowSample& centre, const OutwardWalk::Reached& start,
                       const OutwardWalk::Step& step, std::size_t scale);
     double distance_of(const Sums& sums, double c, double c_hat) const;
@@ -58,6 +59,7 @@ private:
     PerScale decay_{};         ///< 1 / (2 deviation^2)
     PerScale weight_at_rim_{}; ///< w at distance h
     OutwardWalk walk_;
+    std::vector<Index> crossing_; ///< the walk's steps that leave a sphere, and room for more
     std::array<Sums, std::tuple_size_v<PerScale>> sums_;
 };
 

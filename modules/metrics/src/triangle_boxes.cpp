@@ -36,19 +36,6 @@ std::vector<Vec3> centroids(const TriangleMesh& mesh) {
 
 } // namespace
 
-void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) {
-    const double other_square = squared_distance_to_triangle(query, other.a, other.b, other.c);
-    if (!may_yield_to(other_square))
-        return;
-    const Vec3 normal = (other.b - other.a).cross(other.c - other.a);
-    const double along = normal.dot(query - other.a), other_height = along * along / normal.squaredNorm();
-    const bool closer = other_square < square * (1 - same);
-    const bool squarer = other_height > height * (1 + same);
-    const bool as_square = other_height >= height * (1 - same);
-    if (closer || squarer || (as_square && other.number < triangle))
-        *this = {other.number, other_square, other_height};
-}
-
 TriangleBoxes::TriangleBoxes(const TriangleMesh& mesh, std::vector<Index> triangles)
     : mesh_(mesh), triangles_(std::move(triangles)), boxes_(nodes_for(triangles_.size())) {
     build(root(), centroids(mesh));

@@ -9,7 +9,11 @@
 #include <span>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include <wm3d/mesh/triangle_mesh.hpp>
+
+#include "closest_on_triangle.hpp"
 
 namespace wm3d::metrics {
 
@@ -45,6 +49,19 @@ struct NearestTriangle {
 private:
     static constexpr double same = 1e-10; ///< relative difference that rounding makes
 };
+
+inline void NearestTriangle::improve(const Vec3& query, const NumberedTriangle& other) {
+    const double other_square = squared_distance_to_triangle(query, other.a, other.b, other.c);
+    if (!may_yield_to(other_square))
+        return;
+    const Vec3 normal = (other.b - other.a).cross(other.c - other.a);
+    const double along = normal.dot(query - other.a), other_height = along * along / normal.squaredNorm();
+    const bool closer = other_square < square * (1 - same);
+    const bool squarer = other_height > height * (1 + same);
+    const bool as_square = other_height >= height * (1 - same);
+    if (closer || squarer || (as_square && other.number < triangle))
+        *this = {other.number, other_square, other_height};
+}
 
 /// A perfect binary tree in one array, as in a heap: the children of node k are 2 k + 1 and 2 k + 2. Node k
 /// covers a run of triangles that follows from k, so nodes hold a box and nothing else.
