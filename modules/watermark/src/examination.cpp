@@ -96,14 +96,15 @@ void Examination::gather_evidence(const TriangleMesh& base) {
                 first.evidence->seen_from(first.frame.to_canonical(view.frame.centroid)));
 }
 
-/// The evidence about the first centre waits for no coarser mesh.
+/// The evidence about the first centre waits for no coarser mesh. It comes last where nobody else takes it, since a thread
+/// that is done with something else by then can take part in it, and not in the hierarchy.
 resync::Hierarchy Examination::first_look(const Suspect& suspect, const WholeSurface& whole,
                                           const Progress& progress) {
     View& first = views_[view_of(whole.axes.front().frame)];
     resync::Hierarchy hierarchy;
     parallel_invoke(
-        [&] { hierarchy = resync::make_hierarchy(whole.moments, suspect.mesh, suspect.base, {}, progress); },
-        [&] { look(first, suspect.base); });
+        [&] { look(first, suspect.base); },
+        [&] { hierarchy = resync::make_hierarchy(whole.moments, suspect.mesh, suspect.base, {}, progress); });
     return hierarchy;
 }
 
