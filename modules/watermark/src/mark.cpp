@@ -72,16 +72,19 @@ namespace {
 Marked mark_as_stored(const Marker& marker, const key::Secret& secret, MarkSetting setting,
                       const Stored& stored) {
     constexpr int most_tries = 6;
+    constexpr double aim = 0.998; // of the budget, which tries would else come near from above
     const double budget = *setting.visibility;
     Marked marked;
+    bool by_few = false;
     for (int k = 0; k < most_tries; ++k) {
         marked = marker.mark(secret, setting);
-        if (!marked.seen_by_few)
+        by_few |= marked.seen_by_few; // where few decided, a weaker mark that they don't is looked at as well
+        if (!by_few)
             break;
         marked.msdm2 = marker.visible(stored(marked.positions));
         if (*marked.msdm2 <= budget)
             break;
-        setting.visibility = *setting.visibility * budget / *marked.msdm2;
+        setting.visibility = *setting.visibility * aim * budget / *marked.msdm2;
     }
     return marked;
 }
