@@ -133,7 +133,7 @@ Fit Budget::fit(const MarkOfStrength& mark, double budget, double guess) const {
     constexpr double near = 0.03; // of the budget
     const auto roughly = [&](double strength) { return glance(mark(strength), options_.rough_windows).mean; };
     const Fit fit = approach(roughly, {guess}, budget, near);
-    return fit_all(mark, budget, fit.strength > 0 ? fit.strength : guess);
+    return looked_at(mark, fit_all(mark, budget, fit.strength > 0 ? fit.strength : guess), budget);
 }
 
 Fit Budget::fit_near(const MarkOfStrength& mark, double budget, double guess) const {
@@ -149,20 +149,34 @@ Fit Budget::fit_near(const MarkOfStrength& mark, double budget, double guess) co
     return fit;
 }
 
+Fit Budget::looked_at(const MarkOfStrength& mark, Fit fit, double budget) const {
+    if (!fit.foretold)
+        return fit;
+    const auto seen = [&](double strength) { return followed(mark(strength), *fit.weighty); };
+    Fit seen_fit = approach(seen, {fit.strength, 0, fit.evaluations}, aimed_at(budget), options_.tolerance);
+    seen_fit.weighty = std::move(fit.weighty);
+    return seen_fit;
+}
+
+/// What is left of a budget where not all windows are opened.
+double Budget::aimed_at(double budget) const {
+    return mesh_.positions.size() > options_.most_windows ? budget * (1 - options_.sampling_margin) : budget;
+}
+
 /// A strength for the mark of all vertices.
 Fit Budget::fit_all(const MarkOfStrength& mark, double budget, double guess) const {
     if (mesh_.positions.size() <= options_.rough_windows)
         return approach([&](double strength) { return exactly(mark(strength)); }, {guess}, budget,
                         options_.tolerance);
-    if (mesh_.positions.size() > options_.most_windows)
-        budget *= 1 - options_.sampling_margin;
+    budget = aimed_at(budget);
     if (patches_)
         return fit_dense(mark, budget, guess);
     return approach_from_full_look(mark, {guess}, budget);
 }
 
 /// Looks through all windows once, and at the weightiest of them to come from there to the budget; again
-/// where that is far, or where few windows decide, so that what they became has to be seen.
+/// where that is far, or where few windows decide, so that what they became has to be seen. Where the budget is as near
+/// as that MSDM2 can be taken to grow as the strength does, the strength is foretold.
 Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double budget) const {
     for (std::size_t k = 0; k < options_.most_evaluations; ++k) {
         const metrics::Msdm2Sample all = look_closely(mark(fit.strength));
@@ -174,7 +188,16 @@ Fit Budget::approach_from_full_look(const MarkOfStrength& mark, Fit fit, double 
         full.reached = all.mean <= budget && (fit.reached || off <= options_.tolerance * budget);
         if (full.by_few && full.reached)
             return full;
-        const WeightyWindows weighty(all, options_.rough_windows);
+        const WeightyWindows weighty(all, full.by_few ? options_.rough_windows : options_.following_windows);
+        if (!full.by_few && !full.reached && off <= options_.foreseeable * budget) {
+            const double aim = options_.aim * budget;
+            return {.strength = rescaled(full.strength, all.mean, aim),
+                    .msdm2 = aim,
+                    .evaluations = full.evaluations,
+                    .reached = true,
+                    .weighty = weighty,
+                    .foretold = true};
+        }
         const auto seen = [&](double strength) { return followed(mark(strength), weighty); };
         fit = approach(seen, full, budget, options_.tolerance);
         fit.by_few = full.by_few;
@@ -279,6 +302,8 @@ std::vector<char> Budget::places_of_jumps(const MarkOfStrength& trial, double bu
 
 double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double budget, double guess) const {
     constexpr double jumpy = 0.6, slightest = 1e-3; // seen somewhere; of the guess
+    // What a trial mark happens to show at a place is taken for the place's own, so that another shows more there.
+    constexpr double of_others = 1.15;
     std::vector<char> still;
     const auto mark = [&](double strength) { return held(trial(strength), mesh_.positions, still); };
     Trial tried = trial_look(mark, budget, guess);
@@ -294,7 +319,7 @@ double Budget::equalize(Carriers& carriers, const MarkOfStrength& trial, double 
     }
     const std::vector<double> before(carriers.mask().begin(), carriers.mask().end());
     carriers.equalize(tried.seen.vertices, tried.seen.local, tried.seen.mean);
-    return rescaled(tried.strength, reweighed(tried.seen, before, carriers.mask()), budget);
+    return rescaled(tried.strength, of_others * reweighed(tried.seen, before, carriers.mask()), budget);
 }
 
 } // namespace wm3d::masking

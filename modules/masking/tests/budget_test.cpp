@@ -104,6 +104,40 @@ TEST_CASE("what the trial mark tells is near the strength of another mark, and l
     CHECK(half < told);
 }
 
+TEST_CASE("where the budget is near, the strength is foretold, and keeps to it when it is looked at") {
+    const Host host;
+    BudgetOptions options;
+    options.few = 1; // what few windows decide is never foretold
+    const Budget budget(host.mesh, options);
+    const double found = budget.fit(host.mark(), 0.1, 0.01).strength;
+    const Fit near = budget.fit_near(host.mark(), 0.1, 1.02 * found);
+    REQUIRE(near.foretold);
+    CHECK(near.evaluations == 1);
+    const double measured = budget.visible(host.mark()(near.strength));
+    CHECK(measured <= 0.1);
+    CHECK(near.msdm2 == doctest::Approx(measured).epsilon(0.01));
+    const Fit seen = budget.looked_at(host.mark(), near, 0.1);
+    CHECK_FALSE(seen.foretold);
+    CHECK(seen.strength == near.strength);
+    CHECK(seen.msdm2 == doctest::Approx(measured).epsilon(1e-3));
+    CHECK_FALSE(budget.fit_near(host.mark(), 0.1, 1.2 * found).foretold);
+}
+
+TEST_CASE("a foretold strength that is seen too much gives way to a weaker one") {
+    const Host host;
+    BudgetOptions options;
+    options.few = 1;
+    const Budget budget(host.mesh, options);
+    const double found = budget.fit(host.mark(), 0.1, 0.01).strength;
+    Fit near = budget.fit_near(host.mark(), 0.1, 1.02 * found);
+    REQUIRE(near.foretold);
+    near.strength *= 1.1; // as if MSDM2 had grown by more
+    const Fit seen = budget.looked_at(host.mark(), near, 0.1);
+    CHECK(seen.reached);
+    CHECK(seen.strength < near.strength);
+    CHECK(budget.visible(host.mark()(seen.strength)) <= 0.1);
+}
+
 namespace {
 
 /// A blob with a second, crumpled sheet over a part of it that nearly touches its vertices: as unwelded parts do, it makes

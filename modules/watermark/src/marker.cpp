@@ -75,8 +75,8 @@ double Marker::percent_of_diagonal(double radii) const {
 }
 
 /// Takes back what folds creases, which the budget doesn't see, and spends nothing of what that saves: it would go
-/// into folds again.
-void Marker::uncrease(Marked& marked, double visibility,
+/// into folds again. Returns whether it did, and so has told what is seen.
+bool Marker::uncrease(Marked& marked, double visibility,
                       const std::optional<masking::WeightyWindows>& weighty) const {
     masking::CreaseOptions options;
     options.flat *= visibility / default_visibility;
@@ -89,13 +89,48 @@ void Marker::uncrease(Marked& marked, double visibility,
         masking::without_creases(creases, mesh_, normals, marked.positions, options);
     embed::turn_back(mesh_, positions);
     if (positions == marked.positions)
-        return;
+        return false;
     const double seen =
         weighty && !marked.seen_by_few ? budget().followed(positions, *weighty) : budget().visible(positions);
     if (seen > visibility) // where MSDM2 jumps
-        return;
+        return false;
     marked.positions = std::move(positions);
     marked.msdm2 = seen;
+    return true;
+}
+
+/// Positions of a strength, #V, but of vertices that are to stay, if any are.
+std::vector<Vec3> Marker::laid(const Layout& layout, double strength, const std::vector<char>& still) const {
+    std::vector<Vec3> positions = layout.positions(strength);
+    for (std::size_t i = 0; i < still.size(); ++i)
+        if (still[i])
+            positions[i] = mesh_.positions[i];
+    embed::turn_back(mesh_, positions);
+    return positions;
+}
+
+/// Lays a mark as strong as a budget of visibility lets it be.
+void Marker::keep_to(double visibility, const Layout& layout, Marked& marked) const {
+    const masking::MarkOfStrength of_all = [&](double strength) { return laid(layout, strength, {}); };
+    masking::Fit fit =
+        layout.usual > 0
+            ? budget().fit_near(of_all, visibility,
+                                masking::Budget::rescaled(layout.usual, default_visibility, visibility))
+            : budget().fit(of_all, visibility, first_strength);
+    const bool spares_creases = marked.profile == Profile::masked && mesh_.positions.size() <= most_creased;
+    const auto lay = [&](const masking::Fit& chosen) { // returns whether the mark was looked at as it lies
+        if (!(chosen.strength > 0))
+            throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
+                                         "weak",
+                                         visibility));
+        marked.strength = chosen.strength;
+        marked.positions = laid(layout, chosen.strength, fit.still);
+        marked.msdm2 = chosen.msdm2;
+        marked.seen_by_few = chosen.by_few;
+        return (spares_creases && uncrease(marked, visibility, chosen.weighty)) || !chosen.foretold;
+    };
+    if (!lay(fit))
+        lay(budget().looked_at(of_all, fit, visibility)); // nothing has to stay where a strength is foretold
 }
 
 Marked Marker::mark(const key::Secret& secret, const MarkSetting& setting) const {
@@ -115,42 +150,16 @@ Marked Marker::mark(std::span<const double> w, const MarkSetting& setting) const
     marked.diagonal = diagonal_;
     marked.profile = setting.gamma ? Profile::paper : setting.profile;
     const Layout layout = this->layout(w, marked.profile, setting.level);
-    std::vector<char> still;
-    std::optional<masking::WeightyWindows> weighty;
-    const auto laid = [&](double strength) {
-        std::vector<Vec3> positions = layout.positions(strength);
-        for (std::size_t i = 0; i < still.size(); ++i)
-            if (still[i])
-                positions[i] = mesh_.positions[i];
-        embed::turn_back(mesh_, positions);
-        return positions;
-    };
-    double strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
     if (setting.visibility && !setting.gamma) {
-        const double seen = *setting.visibility;
-        masking::Fit fit =
-            layout.usual > 0
-                ? budget().fit_near(laid, seen,
-                                    masking::Budget::rescaled(layout.usual, default_visibility, seen))
-                : budget().fit(laid, seen, first_strength);
-        if (!(fit.strength > 0))
-            throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
-                                         "weak",
-                                         seen));
-        strength = fit.strength;
-        still = std::move(fit.still);
-        weighty = std::move(fit.weighty);
-        marked.msdm2 = fit.msdm2;
-        marked.seen_by_few = fit.by_few;
+        keep_to(*setting.visibility, layout, marked);
+    } else {
+        marked.strength = setting.gamma ? *setting.gamma * layout.unit : setting.strength;
+        require_move(marked.strength);
+        marked.positions = laid(layout, marked.strength, {});
     }
-    require_move(strength);
-    marked.strength = strength;
-    marked.gamma = strength / layout.unit;
+    marked.gamma = marked.strength / layout.unit;
     marked.base_vertices =
         marked.profile == Profile::masked ? mesh_.positions.size() : domain().mesh.positions.size();
-    marked.positions = laid(strength);
-    if (setting.visibility && marked.profile == Profile::masked && mesh_.positions.size() <= most_creased)
-        uncrease(marked, *setting.visibility, weighty);
     marked.distortion = marked.profile == Profile::masked
                             ? embed::distortion(mesh_, marked.positions, carriers(setting.level).normals())
                             : embed::distortion(mesh_, marked.positions);

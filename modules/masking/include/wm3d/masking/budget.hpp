@@ -27,12 +27,14 @@ struct Fit {
     bool reached = false;         ///< whether `msdm2` lies just below the budget; else no strength came there
     bool by_few = false;          ///< whether few vertices decide `msdm2`
     std::vector<char> still = {}; ///< vertices that are to stay where they are, #V; empty where none are
-    std::optional<WeightyWindows> weighty = {}; ///< that `msdm2` was followed by, if it was
+    std::optional<WeightyWindows> weighty = {}; ///< that tell what becomes of `msdm2`, if few windows do
+    bool foretold = false; ///< whether no mark of this strength was looked at: `msdm2` is expected
 };
 
 struct BudgetOptions {
-    double aim = 0.99;       ///< of the budget, to stay below it
-    double tolerance = 0.01; ///< accepted distance from the aim
+    double aim = 0.99;         ///< of the budget, to stay below it
+    double tolerance = 0.01;   ///< accepted distance from the aim
+    double foreseeable = 0.03; ///< part of the budget over which MSDM2 is taken to grow as the strength does
     std::size_t most_evaluations = 12;
     /// Meshes of more vertices are looked at through about `windows` of them, since those of neighbours overlap,
     /// but where few decide.
@@ -43,7 +45,9 @@ struct BudgetOptions {
     std::size_t most_jumpy =
         60'000; ///< meshes of more vertices are not looked through for jumps, nor for the few
     std::size_t mask_windows = 14'000; ///< of the trial mark that the mask is weighed by
-    std::size_t rough_windows = 500; ///< to come near the strength, and from a look through all to the budget
+    std::size_t rough_windows = 500;   ///< to come near the strength
+    std::size_t following_windows =
+        250; ///< to follow what is seen from a look through all to the budget, but where few decide
     /// Meshes of more vertices, and of more than `most_jumpy`, are looked at in patches: metrics::Msdm2Patches.
     std::size_t most_whole = 200'000;
     std::size_t mask_patch_windows = 9'000; ///< of such a mesh, in place of `mask_windows`
@@ -76,8 +80,11 @@ public:
     Fit fit(const MarkOfStrength& mark, double budget, double guess) const;
 
     /// The same from a guess that is known to be near, such as follows from `equalize`. Where few vertices spend
-    /// the budget, they stay where they are if all others may then move further.
+    /// the budget, they stay where they are if all others may then move further. The fit may be foretold.
     Fit fit_near(const MarkOfStrength& mark, double budget, double guess) const;
+
+    /// The fit of `fit_near`, looked at if it was foretold, and a strength nearer to the budget where it has to be.
+    Fit looked_at(const MarkOfStrength& mark, Fit fit, double budget) const;
 
     /// About the strength that is seen as `budget` where `strength` is seen as `seen`.
     static double rescaled(double strength, double seen, double budget);
@@ -110,6 +117,7 @@ private:
     double exactly(const std::vector<Vec3>& positions) const;
     metrics::Msdm2Sample look_closely(const std::vector<Vec3>& positions) const;
     bool decided_by_few(const metrics::Msdm2Sample& seen) const;
+    double aimed_at(double budget) const;
     Fit fit_all(const MarkOfStrength& mark, double budget, double guess) const;
     Fit fit_dense(const MarkOfStrength& mark, double budget, double guess) const;
     double visible_dense(const std::vector<Vec3>& positions) const;

@@ -75,7 +75,9 @@ private:
     std::vector<Vec3> moved(const masking::Carriers& carriers, std::span<const double> moves,
                             double factor) const; ///< in the coordinates of the mesh
 
-    void uncrease(Marked& marked, double visibility,
+    std::vector<Vec3> laid(const Layout& layout, double strength, const std::vector<char>& still) const;
+    void keep_to(double visibility, const Layout& layout, Marked& marked) const;
+    bool uncrease(Marked& marked, double visibility,
                   const std::optional<masking::WeightyWindows>& weighty) const;
     std::vector<Vec3> in_given_order(const std::vector<Vec3>& positions) const;
 
