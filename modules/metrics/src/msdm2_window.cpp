@@ -47,9 +47,11 @@ void Msdm2Windows::add_crossings(const WindowSample& centre, std::size_t k) {
     std::size_t count = 0;
     const double square = radii_[k] * radii_[k];
     for (Index i = 0; i < steps.size(); ++i) {
-        const OutwardWalk::Reached& start = reached[steps[i].reached];
+        const OutwardWalk::Step& step = steps[i];
+        const OutwardWalk::Reached& start = reached[step.reached];
+        const bool kept = thinning_.keeps(start.vertex);
         crossing_[count] = i;
-        count += (start.square <= square) & (steps[i].to_square > square) & thinning_.keeps(start.vertex);
+        count += kept & (start.square <= square) & (step.to_square > square);
     }
     for (const Index i : std::span(crossing_.data(), count))
         add_crossing(centre, reached[steps[i].reached], steps[i], k);
