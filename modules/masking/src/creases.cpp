@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include <wm3d/core/filed.hpp>
 #include <wm3d/core/parallel.hpp>
 #include <wm3d/mesh/sides.hpp>
 
@@ -15,13 +16,27 @@ namespace {
 
 constexpr std::size_t hinge_block = 8192;
 
+/// The vertices of hinges: both ends of the edge, and the corners opposite.
+using HingeVertices = std::vector<std::array<Index, 4>>;
+
+/// Hinges by their vertices, `count` of them.
+Filed<Index> by_vertex(const HingeVertices& vertices, std::size_t count) {
+    return filed<Index>(count, vertices.size(), [&](auto&& file) {
+        for (Index h = 0; h < vertices.size(); ++h)
+            for (Index v : vertices[h])
+                file(v, [&] { return h; });
+    });
+}
+
 /// The hinges that share a vertex with these, ascending.
-std::vector<Index> around(std::span<const Index> changed, std::span<const std::array<Index, 4>> vertices,
-                          std::span<const Index> first, std::span<const Index> at_vertex) {
+std::vector<Index> around(std::span<const Index> changed, const HingeVertices& vertices,
+                          const Filed<Index>& by_vertex) {
     std::vector<Index> found;
     for (Index h : changed)
-        for (Index v : vertices[h])
-            found.insert(found.end(), at_vertex.begin() + first[v], at_vertex.begin() + first[v + 1]);
+        for (Index v : vertices[h]) {
+            const std::span<const Index> there = by_vertex.under(v);
+            found.insert(found.end(), there.begin(), there.end());
+        }
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
@@ -109,28 +124,13 @@ std::vector<Index> Creases::turned_too_far(std::span<const double> moves,
     return found;
 }
 
-Creases::Filed Creases::by_vertex() const {
-    Filed filed{std::vector<Index>(mesh_.positions.size() + 1, 0), {}};
-    for (const auto& hinge : vertices_)
-        for (Index v : hinge)
-            ++filed.first[v + 1];
-    for (std::size_t v = 1; v < filed.first.size(); ++v)
-        filed.first[v] += filed.first[v - 1];
-    filed.hinges.resize(filed.first.back());
-    std::vector<Index> next(filed.first.begin(), filed.first.end() - 1);
-    for (Index h = 0; h < vertices_.size(); ++h)
-        for (Index v : vertices_[h])
-            filed.hinges[next[v]++] = h;
-    return filed;
-}
-
 void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) const {
     std::vector<Index> active = turned_too_far(moves, options), changed;
     if (active.empty())
         return;
     std::vector<double> weight(moves.size());
     std::ranges::transform(moves, weight.begin(), [](double m) { return m * m; });
-    const Filed filed = by_vertex();
+    const Filed<Index> hinges_of = by_vertex(vertices_, mesh_.positions.size());
     for (std::size_t round = 0; round < options.most_rounds && !active.empty(); ++round) {
         changed.clear();
         for (Index h : active) {
@@ -147,7 +147,7 @@ void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) co
                     std::copysign(excess, turned) * weight[hinge.vertices[k]] * hinge.turns[k] / square;
             changed.push_back(h);
         }
-        active = around(changed, vertices_, filed.first, filed.hinges);
+        active = around(changed, vertices_, hinges_of);
     }
 }
 

@@ -45,14 +45,9 @@ private:
         double turn(std::span<const double> moves) const;
         double limit(const CreaseOptions& options) const;
     };
-    /// Hinges by their vertices.
-    struct Filed {
-        std::vector<Index> first, hinges; ///< those of vertex v: from first[v] up to first[v + 1]
-    };
 
     Hinge hinge(Index h) const;
     std::vector<Index> turned_too_far(std::span<const double> moves, const CreaseOptions& options) const;
-    Filed by_vertex() const;
 
     const TriangleMesh& mesh_;
     std::span<const Vec3> normals_;
