@@ -273,16 +273,11 @@ TextStyle TextStore::learned() const {
 }
 
 const TextStyle& TextStore::style() const {
-    {
-        const std::lock_guard lock(guard_);
-        if (style_)
-            return *style_;
-    }
-    const TextStyle style = learned(); // without the lock: a thread that waits in there may come here again
-    const std::lock_guard lock(guard_);
-    if (!style_)
-        style_ = style;
-    return *style_;
+    std::call_once(asked_, [this] {
+        // As a task of its own, which takes no other meanwhile that may ask for the same.
+        parallel_tasks(1, [this](std::size_t) { style_ = learned(); });
+    });
+    return style_;
 }
 
 std::size_t TextStore::end_of(std::size_t offset) const {

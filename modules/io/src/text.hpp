@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -114,8 +113,8 @@ private:
                         std::size_t end) const;
     std::string_view bytes_;
     std::vector<TextOffsets> offsets_;
-    mutable std::mutex guard_; ///< of the style
-    mutable std::optional<TextStyle> style_;
+    mutable std::once_flag asked_; ///< for the style
+    mutable TextStyle style_;
 };
 
 } // namespace wm3d::io
