@@ -120,9 +120,8 @@ void Marker::keep_to(double visibility, const Layout& layout, Marked& marked) co
     const bool spares_creases = marked.profile == Profile::masked && mesh_.positions.size() <= most_creased;
     const auto lay = [&](const masking::Fit& chosen) { // returns whether the mark was looked at as it lies
         if (!(chosen.strength > 0))
-            throw TooVisible(fmt::format("no mark of this surface is seen with MSDM2 {:g} or less, however "
-                                         "weak",
-                                         visibility));
+            throw TooVisible(fmt::format(
+                "no mark of this surface is seen with MSDM2 {:g} or less, however weak", visibility));
         marked.strength = chosen.strength;
         marked.positions = laid(layout, chosen.strength, fit.still);
         marked.msdm2 = chosen.msdm2;
