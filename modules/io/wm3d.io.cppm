@@ -51,6 +51,7 @@ using wm3d::SurfacePoint;
 using wm3d::to_frame;
 using wm3d::Topology;
 using wm3d::Triangle;
+using wm3d::triangle_area;
 using wm3d::triangle_areas;
 using wm3d::TriangleMesh;
 using wm3d::Umbrella;

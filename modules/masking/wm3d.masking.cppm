@@ -91,6 +91,7 @@ using wm3d::to_frame;
 using wm3d::to_hex;
 using wm3d::Topology;
 using wm3d::Triangle;
+using wm3d::triangle_area;
 using wm3d::triangle_areas;
 using wm3d::TriangleMesh;
 using wm3d::Umbrella;

@@ -37,10 +37,6 @@ struct Corners {
     double volume() const { return a.dot(b.cross(c)) / 6; }
 };
 
-double triangle_area(const TriangleMesh& mesh, std::size_t f) {
-    return 0.5 * area_vector(mesh, f).norm();
-}
-
 /// Moments of order 0 and 1.
 struct FirstMoments {
     double area = 0;

@@ -54,7 +54,7 @@ std::vector<double> triangle_areas(const TriangleMesh& mesh) {
     std::vector<double> areas(mesh.triangles.size());
     parallel_blocks(areas.size(), measure_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f)
-            areas[f] = 0.5 * area_vector(mesh, f).norm();
+            areas[f] = triangle_area(mesh, f);
     });
     return areas;
 }
@@ -94,7 +94,7 @@ std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
 
 double surface_area(const TriangleMesh& mesh) {
     return parallel_sum_of(mesh.triangles.size(), measure_block,
-                           [&](std::size_t f) { return 0.5 * area_vector(mesh, f).norm(); });
+                           [&](std::size_t f) { return triangle_area(mesh, f); });
 }
 
 } // namespace wm3d

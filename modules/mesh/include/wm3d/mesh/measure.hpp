@@ -30,6 +30,11 @@ inline Vec3 area_vector(const TriangleMesh& mesh, std::size_t f) {
     return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
 }
 
+/// In squared units of the file.
+inline double triangle_area(const TriangleMesh& mesh, std::size_t f) {
+    return 0.5 * area_vector(mesh, f).norm();
+}
+
 /// Area of every triangle, #F, in squared units of the file.
 std::vector<double> triangle_areas(const TriangleMesh& mesh);
 
