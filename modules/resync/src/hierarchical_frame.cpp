@@ -145,8 +145,8 @@ Hierarchy make_hierarchy(const ShapeMoments& moments, const TriangleMesh& mesh, 
                          const HierarchyOptions& options, const Progress& progress) {
     Hierarchy hierarchy{moments, {}};
     const auto add = [&](TriangleMesh level) {
-        ShapeMoments moments = shape_moments(level);
-        hierarchy.coarser.push_back({std::move(level), std::move(moments)});
+        ShapeMoments of_level = shape_moments(level);
+        hierarchy.coarser.push_back({std::move(level), std::move(of_level)});
     };
     if (base.positions.size() < mesh.positions.size())
         add(base);
