@@ -13,7 +13,7 @@ namespace wm3d::metrics {
 
 namespace {
 
-constexpr std::size_t run = 64; ///< triangles that share a box
+constexpr std::size_t run = 64; ///< triangles that share a box, and boxes that share one
 
 Box box_of(const TriangleMesh& mesh, std::size_t begin, std::size_t end) {
     const Vec3& somewhere = mesh.positions[mesh.triangles[begin][0]];
@@ -23,6 +23,16 @@ Box box_of(const TriangleMesh& mesh, std::size_t begin, std::size_t end) {
             box.min = box.min.cwiseMin(mesh.positions[v]);
             box.max = box.max.cwiseMax(mesh.positions[v]);
         }
+    return box;
+}
+
+/// The box of boxes [begin, end).
+Box box_of(const std::vector<Box>& boxes, std::size_t begin, std::size_t end) {
+    Box box = boxes[begin];
+    for (std::size_t i = begin + 1; i < end; ++i) {
+        box.min = box.min.cwiseMin(boxes[i].min);
+        box.max = box.max.cwiseMax(boxes[i].max);
+    }
     return box;
 }
 
@@ -75,19 +85,30 @@ Index SurfacePatch::local(Index vertex) const {
 }
 
 SurfacePatches::SurfacePatches(const TriangleMesh& mesh)
-    : mesh_(mesh), runs_((mesh.triangles.size() + run - 1) / run) {
+    : mesh_(mesh), runs_((mesh.triangles.size() + run - 1) / run),
+      runs_of_runs_((runs_.size() + run - 1) / run) {
     parallel_blocks(runs_.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t r = begin; r < end; ++r)
             runs_[r] = box_of(mesh, r * run, std::min((r + 1) * run, mesh.triangles.size()));
     });
+    for (std::size_t r = 0; r < runs_of_runs_.size(); ++r)
+        runs_of_runs_[r] = box_of(runs_, r * run, std::min((r + 1) * run, runs_.size()));
+}
+
+/// Calls visit(r) for the runs of triangles whose boxes meet this one, in the order of the mesh.
+template<typename Visitor>
+void SurfacePatches::for_each_run(const Box& box, Visitor&& visit) const {
+    for (std::size_t s = 0; s < runs_of_runs_.size(); ++s)
+        if (meet(runs_of_runs_[s], box))
+            for (std::size_t r = s * run; r < std::min((s + 1) * run, runs_.size()); ++r)
+                if (meet(runs_[r], box))
+                    visit(r);
 }
 
 SurfacePatch SurfacePatches::within(const Box& box) const {
     SurfacePatch patch;
     NumberSet corners(mesh_.positions.size());
-    for (std::size_t r = 0; r < runs_.size(); ++r) {
-        if (!meet(runs_[r], box))
-            continue;
+    for_each_run(box, [&](std::size_t r) {
         const bool all = holds(box, runs_[r]);
         for (std::size_t f = r * run; f < std::min((r + 1) * run, mesh_.triangles.size()); ++f)
             if (all || meet(box_of(mesh_, f, f + 1), box)) {
@@ -95,7 +116,7 @@ SurfacePatch SurfacePatches::within(const Box& box) const {
                 for (const Index v : mesh_.triangles[f])
                     corners.insert(v);
             }
-    }
+    });
     patch.vertices = corners.count();
     patch.mesh.positions.reserve(patch.vertices.size());
     for (const Index v : patch.vertices)

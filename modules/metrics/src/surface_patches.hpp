@@ -30,8 +30,12 @@ public:
     SurfacePatch within(const Box& box) const;
 
 private:
+    template<typename Visitor>
+    void for_each_run(const Box& box, Visitor&& visit) const;
+
     const TriangleMesh& mesh_;
-    std::vector<Box> runs_;
+    std::vector<Box> runs_;         ///< of triangles
+    std::vector<Box> runs_of_runs_; ///< of those boxes
 };
 
 /// Vertices that lie close together.
