@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <Eigen/Eigenvalues>
 
@@ -65,94 +66,88 @@ PerScale magnitudes(const std::array<Symmetric, scales>& tensors) {
     return result;
 }
 
-/// What an edge has to do with a ball.
-struct EdgeWeight {
-    double tensor = 0;     ///< angle(e) / length(e): angle(e) length(e) e e^T of a unit e, of the whole edge
-    double per_square = 0; ///< 1 / length(e)^2
-};
-
-std::vector<EdgeWeight> edge_weights(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                     const std::vector<double>& angles) {
-    const std::span<const EdgeGraph::Edge> edges = graph.edges();
-    std::vector<EdgeWeight> weights(edges.size());
-    parallel_blocks(edges.size(), 8192, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e)
-            if (angles[e] != 0) {
-                const double square = (mesh.positions[edges[e].b] - mesh.positions[edges[e].a]).squaredNorm();
-                weights[e] = {angles[e] / std::sqrt(square), 1 / square};
-            }
-    });
-    return weights;
-}
-
 /// The tensors of the balls around a vertex, two edges at a time.
 class Balls {
 public:
-    Balls(const TriangleMesh& mesh, const EdgeGraph& graph, const std::vector<EdgeWeight>& weights,
+    Balls(const TriangleMesh& mesh, const EdgeGraph& graph, const std::vector<Bend>& bends,
           const PerScale& radii)
-        : weights_(weights), largest_(*std::ranges::max_element(radii)), walk_(mesh, graph) {
-        for (std::size_t k = 0; k < scales; ++k)
-            squares_[k] = radii[k] * radii[k];
+        : bends_(bends), walk_(mesh, graph) {
+        std::iota(ascending_.begin(), ascending_.end(), std::size_t{0});
+        std::ranges::stable_sort(ascending_, {}, [&](std::size_t k) { return radii[k]; });
+        for (std::size_t i = 0; i < scales; ++i)
+            squares_[i] = radii[ascending_[i]] * radii[ascending_[i]];
+        largest_ = radii[ascending_.back()];
     }
 
     std::array<Symmetric, scales> tensors(Index centre) {
         walk_.from(centre, largest_);
-        for (auto& sum : sums_)
-            sum.fill(Pair::Zero());
+        whole_ = crossing_ = {};
         const std::span<const OutwardWalk::Step> steps = walk_.steps();
         const OutwardWalk::Step nothing;
         for (std::size_t i = 0; i < steps.size(); i += 2)
             if (i + 1 < steps.size())
-                add(steps[i], weights_[steps[i].edge], steps[i + 1], weights_[steps[i + 1].edge]);
+                add(steps[i], bends_[steps[i].edge], steps[i + 1], bends_[steps[i + 1].edge]);
             else
-                add(steps[i], weights_[steps[i].edge], nothing, {});
+                add(steps[i], bends_[steps[i].edge], nothing, {});
         std::array<Symmetric, scales> tensors;
+        Symmetric within{};
         for (std::size_t k = 0; k < scales; ++k)
-            for (std::size_t i = 0; i < tensors[k].size(); ++i)
-                tensors[k][i] = sums_[k][i].sum();
+            for (std::size_t i = 0; i < within.size(); ++i) {
+                within[i] += whole_[k][i].sum();
+                tensors[ascending_[k]][i] = within[i] + crossing_[k][i].sum();
+            }
         return tensors;
     }
 
 private:
     using Pair = Eigen::Array<double, 2, 1>;
 
-    void add(const OutwardWalk::Step& s, const EdgeWeight& v, const OutwardWalk::Step& t,
-             const EdgeWeight& w) {
+    struct Tensor : std::array<Pair, std::tuple_size_v<Symmetric>> {
+        Tensor() { fill(Pair::Zero()); }
+    };
+
+    void add(const OutwardWalk::Step& s, const Bend& of_s, const OutwardWalk::Step& t, const Bend& of_t) {
         const Pair x(s.along[0], t.along[0]), y(s.along[1], t.along[1]), z(s.along[2], t.along[2]);
-        const Pair outward(s.outward, t.outward);
-        const Pair from(walk_.reached()[s.reached].square, walk_.reached()[t.reached].square);
-        const Pair per_square(v.per_square, w.per_square);
-        const Pair weight(v.tensor, w.tensor);
+        // angle(e) length(e) e e^T of a unit e
+        const Pair weight(of_s.angle_per_length, of_t.angle_per_length);
         const Pair wx = weight * x, wy = weight * y, wz = weight * z;
-        const std::array<Pair, 6> whole{wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
-        const Pair square = x * x + y * y + z * z;
-        for (std::size_t k = 0; k < scales; ++k) {
+        const std::array<Pair, 6> tensor{wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+        const double farthest = std::max(s.to_square, t.to_square);
+        std::size_t k = 0;
+        for (; k < scales && farthest > squares_[k]; ++k) {
             // |start + share along| = radius, the root ahead; all of it where that lies beyond its end, and nothing
             // where it starts outside
+            const Pair outward(s.outward, t.outward), per_square(of_s.per_square, of_t.per_square);
+            const Pair from(walk_.reached()[s.reached].square, walk_.reached()[t.reached].square);
+            const Pair square = x * x + y * y + z * z;
             const Pair root = (outward * outward - square * (from - squares_[k])).max(0.0).sqrt();
             const Pair share = ((root - outward) * per_square).max(0.0).min(1.0);
-            for (std::size_t i = 0; i < whole.size(); ++i)
-                sums_[k][i] += share * whole[i];
+            for (std::size_t i = 0; i < tensor.size(); ++i)
+                crossing_[k][i] += share * tensor[i];
         }
+        if (k < scales)
+            for (std::size_t i = 0; i < tensor.size(); ++i)
+                whole_[k][i] += tensor[i];
     }
 
-    const std::vector<EdgeWeight>& weights_;
-    PerScale squares_{};
+    const std::vector<Bend>& bends_;
+    std::array<std::size_t, scales> ascending_; ///< numbers of the scales, by their radii
+    PerScale squares_{};                        ///< of the radii, ascending
     double largest_;
     OutwardWalk walk_;
-    std::array<std::array<Pair, 6>, scales> sums_;
+    std::array<Tensor, scales> whole_;    ///< of edges that this ball holds and no smaller one does
+    std::array<Tensor, scales> crossing_; ///< of those that no smaller one holds, and this one in part at most
 };
 
 } // namespace
 
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                           const std::vector<double>& angles, const PerScale& radii,
+                                           const std::vector<Bend>& bends, const PerScale& radii,
                                            std::span<const char> wanted) {
     const std::size_t count = mesh.positions.size();
-    const std::vector<EdgeWeight> weights = edge_weights(mesh, graph, angles);
     std::vector<PerScale> curvature(count, PerScale{});
     parallel_blocks(count, walk_block(count), [&](std::size_t begin, std::size_t end) {
-        Balls balls(mesh, graph, weights, radii);
+        Balls balls(mesh, graph, bends, radii);
         for (std::size_t v = begin; v < end; ++v) {
             if (!wanted.empty() && !wanted[v])
                 continue;

@@ -23,9 +23,9 @@ using PerScale = std::array<double, 3>;
 /// magnitude belongs to the normal and is left out. Near borders, where the ball holds less than a disc, the
 /// figure is too low.
 /// \param wanted  vertices, #V, that a curvature is wanted of; empty: of all. The others have 0.
-/// \pre  radii > 0, and `angles` are the `edge_angles`
+/// \pre  radii > 0, and `bends` are those of the mesh
 std::vector<PerScale> curvature_magnitudes(const TriangleMesh& mesh, const EdgeGraph& graph,
-                                           const std::vector<double>& angles, const PerScale& radii,
+                                           const std::vector<Bend>& bends, const PerScale& radii,
                                            std::span<const char> wanted = {});
 
 } // namespace wm3d::metrics

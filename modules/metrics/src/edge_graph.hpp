@@ -42,15 +42,25 @@ public:
     }
 
 private:
+    void file_triangles(const TriangleMesh& mesh);
+    void list_edges(const TriangleMesh& mesh);
+    void file_ways();
+
     std::vector<Edge> edges_;
     std::vector<std::size_t> first_way_, first_triangle_;
     std::vector<Way> ways_;
     std::vector<Index> triangle_at_;
 };
 
-/// Angle that the surface turns at every edge, #E, positive where convex; 0 at edges without two triangles
-/// that agree on the outside. As the published program of MSDM2 has it: the arcsine of the sine, so that
-/// a turn of more than 90 degrees counts as its supplement.
-std::vector<double> edge_angles(const TriangleMesh& mesh, const EdgeGraph& graph);
+/// How the surface turns along an edge.
+struct Bend {
+    double angle_per_length = 0; ///< positive where convex
+    double per_square = 0;       ///< 1 / length^2
+};
+
+/// Of every edge, #E; 0 at edges without length, and at those without two triangles that agree on the outside. As the
+/// published program of MSDM2 has it, the angle is the arcsine of the sine, so that a turn of more than 90 degrees counts
+/// as its supplement.
+std::vector<Bend> bends_of(const TriangleMesh& mesh, const EdgeGraph& graph);
 
 } // namespace wm3d::metrics

@@ -52,10 +52,10 @@ struct Msdm2::Prepared {
     const SurfaceTree& tree;
     Msdm2Options options;
     EdgeGraph graph;            ///< of the reference
-    std::vector<double> angles; ///< of its edges
+    std::vector<Bend> bends;    ///< of its edges
 
     Prepared(const SurfaceTree& surface, const Msdm2Options& chosen)
-        : tree(surface), options(chosen), graph(surface.mesh()), angles(edge_angles(surface.mesh(), graph)),
+        : tree(surface), options(chosen), graph(surface.mesh()), bends(bends_of(surface.mesh(), graph)),
           own_side(longest_side(surface.mesh())) {}
 
     /// Makes what `match` looks into.
@@ -67,7 +67,7 @@ struct Msdm2::Prepared {
 
     /// The reference's curvatures for S = `side`.
     std::vector<PerScale> curvatures(double side) const {
-        return curvature_magnitudes(tree.mesh(), graph, angles, curvature_radii(side));
+        return curvature_magnitudes(tree.mesh(), graph, bends, curvature_radii(side));
     }
 
     /// For the reference's own S, `own_side`.
@@ -153,7 +153,7 @@ std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted
                                                    double side, const std::vector<PerScale>& of_reference,
                                                    std::span<const char> wanted) const {
     const std::vector<PerScale> of_distorted = curvature_magnitudes(
-        distorted, around, edge_angles(distorted, around), curvature_radii(side), wanted);
+        distorted, around, bends_of(distorted, around), curvature_radii(side), wanted);
     const bool same_triangles = &around == &graph;
     if (same_triangles)
         get_ready_for_moves();

@@ -207,7 +207,7 @@ std::vector<PerScale> Msdm2Patches::Prepared::curvatures(const SurfacePatch& pat
     if (std::ranges::find(missing, 1) == missing.end())
         return values;
     const std::vector<PerScale> made =
-        curvature_magnitudes(patch.mesh, graph, edge_angles(patch.mesh, graph), curvature_radii(), missing);
+        curvature_magnitudes(patch.mesh, graph, bends_of(patch.mesh, graph), curvature_radii(), missing);
     for (std::size_t v = 0; v < values.size(); ++v)
         if (missing[v])
             values[v] =
@@ -257,7 +257,7 @@ std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& pa
     }
     const std::vector<PerScale> of_reference = curvatures(patch, box, graph, corners);
     const std::vector<PerScale> of_moved =
-        curvature_magnitudes(moved, graph, edge_angles(moved, graph), curvature_radii(), wanted);
+        curvature_magnitudes(moved, graph, bends_of(moved, graph), curvature_radii(), wanted);
     for (std::size_t v = 0; v < wanted.size(); ++v)
         if (matched[v] != no_index) {
             samples[v].c = times(side, of_moved[v]);

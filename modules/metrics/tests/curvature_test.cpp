@@ -38,7 +38,7 @@ namespace {
 
 std::vector<PerScale> magnitudes(const TriangleMesh& mesh, const PerScale& radii) {
     const EdgeGraph graph(mesh);
-    return curvature_magnitudes(mesh, graph, edge_angles(mesh, graph), radii);
+    return curvature_magnitudes(mesh, graph, bends_of(mesh, graph), radii);
 }
 
 /// At one vertex and radius.
