@@ -135,8 +135,9 @@ private:
     PerScale squares_{};                        ///< of the radii, ascending
     double largest_;
     OutwardWalk walk_;
-    std::array<Tensor, scales> whole_;    ///< of edges that this ball holds and no smaller one does
-    std::array<Tensor, scales> crossing_; ///< of those that no smaller one holds, and this one in part at most
+    std::array<Tensor, scales> whole_; ///< of edges that this ball holds and no smaller one does
+    std::array<Tensor, scales>
+        crossing_; ///< of those that no smaller one holds, and this one in part at most
 };
 
 } // namespace

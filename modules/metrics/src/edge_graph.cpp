@@ -4,20 +4,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include <wm3d/core/parallel.hpp>
-#include <wm3d/mesh/measure.hpp>
 
 namespace wm3d::metrics {
 
 namespace {
 
-/// Turns counts, #groups + 1 with the first 0, into where each group begins.
-void accumulate(std::vector<std::size_t>& counts) {
-    for (std::size_t i = 0; i + 1 < counts.size(); ++i)
-        counts[i + 1] += counts[i];
-}
+/// For lists by vertices: their lengths are counted two places on, so that filling them, with what is one place on as the place
+/// to fill next, leaves where each begins.
+class Filing {
+public:
+    Filing(std::vector<std::size_t>& first, std::size_t vertices) : first_(first) {
+        first_.assign(vertices + 2, 0);
+    }
+
+    void count(Index vertex) { ++first_[vertex + 2]; }
+
+    /// To be called after all are counted. Returns how many these are.
+    std::size_t begin_filling() {
+        std::partial_sum(first_.begin(), first_.end(), first_.begin());
+        return first_.back();
+    }
+
+    /// Where the next of the vertex belongs.
+    std::size_t place(Index vertex) { return first_[vertex + 1]++; }
+
+private:
+    std::vector<std::size_t>& first_;
+};
 
 /// A triangle's side from one vertex up to another of a higher number, or down from there.
 struct Side {
@@ -111,72 +128,76 @@ private:
     Sides up_, down_;
 };
 
+/// With e the edge and p and q what lies from its lower end to the other corners of its triangles, left and right, their normals
+/// are e x p and q x e, and (e x p) x (q x e) is -det(e, p, q) e.
+Bend bend_at(const TriangleMesh& mesh, const EdgeGraph::Edge& edge) {
+    const auto from_low = [&](Index vertex) -> Vec3 {
+        return mesh.positions[vertex] - mesh.positions[edge.a];
+    };
+    const auto opposite = [&](Index triangle) {
+        const Triangle& t = mesh.triangles[triangle];
+        return t[0] ^ t[1] ^ t[2] ^ edge.a ^ edge.b;
+    };
+    const Vec3 e = from_low(edge.b), p = from_low(opposite(edge.left)), q = from_low(opposite(edge.right));
+    const Vec3 left = e.cross(p);
+    const double areas = left.squaredNorm() * e.cross(q).squaredNorm(); // of both parallelograms, squared
+    if (!(areas >= std::numeric_limits<double>::min()))
+        return {};
+    const double length = e.norm(), per_length = 1 / length;
+    const double sine = -left.dot(q) * length / std::sqrt(areas);
+    return {std::asin(std::clamp(sine, -1.0, 1.0)) * per_length, per_length * per_length};
+}
+
 } // namespace
 
-EdgeGraph::EdgeGraph(const TriangleMesh& mesh)
-    : first_way_(mesh.positions.size() + 1, 0), first_triangle_(mesh.positions.size() + 1, 0) {
+void EdgeGraph::assign(const TriangleMesh& mesh) {
     file_triangles(mesh);
     list_edges(mesh);
-    file_ways();
+    file_ways(mesh.positions.size());
 }
 
 void EdgeGraph::file_triangles(const TriangleMesh& mesh) {
+    Filing filing(first_triangle_, mesh.positions.size());
     for (const Triangle& t : mesh.triangles)
         for (const Index v : t)
-            ++first_triangle_[v + 1];
-    accumulate(first_triangle_);
-    triangle_at_.resize(first_triangle_.back());
-    std::vector<std::size_t> next(first_triangle_.begin(), first_triangle_.end() - 1);
+            filing.count(v);
+    triangle_at_.resize(filing.begin_filling());
     for (Index f = 0; f < mesh.triangles.size(); ++f)
         for (const Index v : mesh.triangles[f])
-            triangle_at_[next[v]++] = f;
+            triangle_at_[filing.place(v)] = f;
 }
 
-/// By their lower ends, then by the others; counts the ways.
+/// By their lower ends, then by the others.
 void EdgeGraph::list_edges(const TriangleMesh& mesh) {
+    edges_.clear();
     edges_.reserve(3 * mesh.triangles.size() / 2);
     EdgesAbove above;
     for (Index low = 0; low < mesh.positions.size(); ++low)
-        above.for_each(low, triangles_at(low), mesh, [&](const Edge& edge) {
-            edges_.push_back(edge);
-            ++first_way_[edge.a + 1];
-            ++first_way_[edge.b + 1];
-        });
+        above.for_each(low, triangles_at(low), mesh, [&](const Edge& edge) { edges_.push_back(edge); });
 }
 
 /// The edges under both of their ends.
-void EdgeGraph::file_ways() {
-    accumulate(first_way_);
-    ways_.resize(first_way_.back());
-    std::vector<std::size_t> next(first_way_.begin(), first_way_.end() - 1);
+void EdgeGraph::file_ways(std::size_t vertices) {
+    Filing filing(first_way_, vertices);
+    for (const Edge& e : edges_) {
+        filing.count(e.a);
+        filing.count(e.b);
+    }
+    ways_.resize(filing.begin_filling());
     for (Index e = 0; e < edges_.size(); ++e) {
-        ways_[next[edges_[e].a]++] = {edges_[e].b, e};
-        ways_[next[edges_[e].b]++] = {edges_[e].a, e};
+        ways_[filing.place(edges_[e].a)] = {edges_[e].b, e};
+        ways_[filing.place(edges_[e].b)] = {edges_[e].a, e};
     }
 }
 
-std::vector<Bend> bends_of(const TriangleMesh& mesh, const EdgeGraph& graph) {
-    constexpr std::size_t block = 8192;
-    std::vector<Vec3> normals(mesh.triangles.size());
-    parallel_blocks(normals.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f)
-            normals[f] = area_vector(mesh, f).normalized();
-    });
+void make_bends(const TriangleMesh& mesh, const EdgeGraph& graph, std::vector<Bend>& bends) {
     const std::span<const EdgeGraph::Edge> edges = graph.edges();
-    std::vector<Bend> bends(edges.size());
-    parallel_blocks(edges.size(), block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const EdgeGraph::Edge& e = edges[i];
-            const Vec3 along = mesh.positions[e.b] - mesh.positions[e.a];
-            const double square = along.squaredNorm();
-            if (e.left == no_index || !(square >= std::numeric_limits<double>::min()))
-                continue;
-            const double per_length = 1 / std::sqrt(square);
-            const double sine = normals[e.left].cross(normals[e.right]).dot(along) * per_length;
-            bends[i] = {std::asin(std::clamp(sine, -1.0, 1.0)) * per_length, per_length * per_length};
-        }
+    bends.assign(edges.size(), {});
+    parallel_blocks(edges.size(), 8192, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (edges[i].left != no_index)
+                bends[i] = bend_at(mesh, edges[i]);
     });
-    return bends;
 }
 
 } // namespace wm3d::metrics

@@ -25,7 +25,11 @@ public:
         Index edge = 0; ///< its number
     };
 
-    explicit EdgeGraph(const TriangleMesh& mesh);
+    EdgeGraph() = default;
+    explicit EdgeGraph(const TriangleMesh& mesh) { assign(mesh); }
+
+    /// To those of another mesh, in the memory that this one has.
+    void assign(const TriangleMesh& mesh);
 
     std::span<const Edge> edges() const& { return edges_; }
     std::span<const Edge> edges() && = delete; // would outlive what it shows
@@ -44,10 +48,10 @@ public:
 private:
     void file_triangles(const TriangleMesh& mesh);
     void list_edges(const TriangleMesh& mesh);
-    void file_ways();
+    void file_ways(std::size_t vertices);
 
     std::vector<Edge> edges_;
-    std::vector<std::size_t> first_way_, first_triangle_;
+    std::vector<std::size_t> first_way_, first_triangle_; ///< #V + 1, and one more
     std::vector<Way> ways_;
     std::vector<Index> triangle_at_;
 };
@@ -58,9 +62,15 @@ struct Bend {
     double per_square = 0;       ///< 1 / length^2
 };
 
-/// Of every edge, #E; 0 at edges without length, and at those without two triangles that agree on the outside. As the
-/// published program of MSDM2 has it, the angle is the arcsine of the sine, so that a turn of more than 90 degrees counts
-/// as its supplement.
-std::vector<Bend> bends_of(const TriangleMesh& mesh, const EdgeGraph& graph);
+/// Of every edge, #E, in the memory of others; 0 at edges without length, and at those without two triangles that agree on
+/// the outside. As the published program of MSDM2 has it, the angle is the arcsine of the sine, so that a turn of more than
+/// 90 degrees counts as its supplement.
+void make_bends(const TriangleMesh& mesh, const EdgeGraph& graph, std::vector<Bend>& bends);
+
+inline std::vector<Bend> bends_of(const TriangleMesh& mesh, const EdgeGraph& graph) {
+    std::vector<Bend> bends;
+    make_bends(mesh, graph, bends);
+    return bends;
+}
 
 } // namespace wm3d::metrics

@@ -51,8 +51,8 @@ std::vector<Index> used_vertices(const TriangleMesh& mesh, const EdgeGraph& grap
 struct Msdm2::Prepared {
     const SurfaceTree& tree;
     Msdm2Options options;
-    EdgeGraph graph;            ///< of the reference
-    std::vector<Bend> bends;    ///< of its edges
+    EdgeGraph graph;         ///< of the reference
+    std::vector<Bend> bends; ///< of its edges
 
     Prepared(const SurfaceTree& surface, const Msdm2Options& chosen)
         : tree(surface), options(chosen), graph(surface.mesh()), bends(bends_of(surface.mesh(), graph)),
@@ -152,8 +152,8 @@ ClosestPoint Msdm2::Prepared::match(Index vertex, const Vec3& moved) const {
 std::vector<WindowSample> Msdm2::Prepared::samples(const TriangleMesh& distorted, const EdgeGraph& around,
                                                    double side, const std::vector<PerScale>& of_reference,
                                                    std::span<const char> wanted) const {
-    const std::vector<PerScale> of_distorted = curvature_magnitudes(
-        distorted, around, bends_of(distorted, around), curvature_radii(side), wanted);
+    const std::vector<PerScale> of_distorted =
+        curvature_magnitudes(distorted, around, bends_of(distorted, around), curvature_radii(side), wanted);
     const bool same_triangles = &around == &graph;
     if (same_triangles)
         get_ready_for_moves();

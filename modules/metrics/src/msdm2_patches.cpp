@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <numbers>
 #include <span>
@@ -43,7 +44,7 @@ constexpr std::size_t fine_stride = 2;
 
 /// What a patch has around its windows, in their radii, besides curvatures' balls and edges across the rim: triangles
 /// that moved vertices lie closest to.
-constexpr double room = 1.1;
+constexpr double reach = 1.1;
 
 /// S times the curvatures of a vertex, in single precision; not a number where they aren't known.
 using Known = std::array<float, std::tuple_size_v<PerScale>>;
@@ -134,6 +135,37 @@ std::vector<char> looked_at_nearly(const TriangleMesh& moved, const EdgeGraph& g
     return with_rims;
 }
 
+/// What a patch takes, for the next one to take again: the system would give each its memory anew, page by page, a tenth of
+/// the time of a dense mesh.
+struct Room {
+    SurfacePatch patch;
+    EdgeGraph graph;
+    std::vector<Bend> bends;
+    std::vector<WindowSample> samples;
+};
+
+/// As many as are used at the same time.
+class Rooms {
+public:
+    std::unique_ptr<Room> take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty())
+            return std::make_unique<Room>();
+        std::unique_ptr<Room> room = std::move(free_.back());
+        free_.pop_back();
+        return room;
+    }
+
+    void give_back(std::unique_ptr<Room> room) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(room));
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Room>> free_;
+};
+
 } // namespace
 
 struct Msdm2Patches::Prepared {
@@ -156,12 +188,10 @@ struct Msdm2Patches::Prepared {
     Msdm2Sample sample(const std::vector<Vec3>& distorted, std::vector<Index> vertices,
                        std::size_t stride) const;
     std::vector<double> local(const std::vector<Vec3>& distorted, const VertexGroup& group,
-                              std::size_t stride) const;
-    std::vector<PerScale> curvatures(const SurfacePatch& patch, const Box& box, const EdgeGraph& graph,
-                                     std::span<const char> wanted) const;
-    std::vector<WindowSample> samples(const SurfacePatch& patch, const Box& box, const TriangleMesh& moved,
-                                      const EdgeGraph& graph, std::span<const char> wanted,
-                                      std::size_t stride) const;
+                              std::size_t stride, Room& room) const;
+    std::vector<PerScale> curvatures(const Box& box, std::span<const char> wanted, Room& room) const;
+    void make_samples(const Box& box, const TriangleMesh& moved, std::span<const char> wanted,
+                      std::size_t stride, Room& room) const;
     bool recall(Index vertex, PerScale& value) const;
     PerScale remember(Index vertex, const PerScale& value) const;
 };
@@ -172,7 +202,7 @@ Msdm2Patches::Prepared::Prepared(const TriangleMesh& mesh, const Msdm2Options& c
         throw GeometryError("the mesh has no triangle, so there is nothing to see; check that the file holds "
                             "the model that you mean");
     around =
-        (room + options.curvature_ratio) * largest_radius() + std::min(longest_edge(mesh), largest_radius());
+        (reach + options.curvature_ratio) * largest_radius() + std::min(longest_edge(mesh), largest_radius());
     const double window = std::numbers::pi * largest_radius() * largest_radius();
     in_window = static_cast<double>(mesh.positions.size()) * std::min(1.0, window / surface_area(mesh));
 }
@@ -191,9 +221,9 @@ std::vector<Index> Msdm2Patches::Prepared::used_vertices() const {
 
 /// S times the curvatures of the patch's reference at wanted vertices, #V of the patch. Those whose balls lie in the
 /// patch are the same from any patch, so they are made once.
-std::vector<PerScale> Msdm2Patches::Prepared::curvatures(const SurfacePatch& patch, const Box& box,
-                                                         const EdgeGraph& graph,
-                                                         std::span<const char> wanted) const {
+std::vector<PerScale> Msdm2Patches::Prepared::curvatures(const Box& box, std::span<const char> wanted,
+                                                         Room& room) const {
+    const SurfacePatch& patch = room.patch;
     const Vec3 ball = Vec3::Constant(options.curvature_ratio * largest_radius());
     const auto is_whole = [&](std::size_t v) {
         const Vec3& p = patch.mesh.positions[v];
@@ -206,8 +236,9 @@ std::vector<PerScale> Msdm2Patches::Prepared::curvatures(const SurfacePatch& pat
             missing[v] = static_cast<char>(!is_whole(v) || !recall(patch.vertices[v], values[v]));
     if (std::ranges::find(missing, 1) == missing.end())
         return values;
+    make_bends(patch.mesh, room.graph, room.bends);
     const std::vector<PerScale> made =
-        curvature_magnitudes(patch.mesh, graph, bends_of(patch.mesh, graph), curvature_radii(), missing);
+        curvature_magnitudes(patch.mesh, room.graph, room.bends, curvature_radii(), missing);
     for (std::size_t v = 0; v < values.size(); ++v)
         if (missing[v])
             values[v] =
@@ -233,46 +264,49 @@ PerScale Msdm2Patches::Prepared::remember(Index vertex, const PerScale& value) c
     return stored;
 }
 
-std::vector<WindowSample> Msdm2Patches::Prepared::samples(const SurfacePatch& patch, const Box& box,
-                                                          const TriangleMesh& moved, const EdgeGraph& graph,
-                                                          std::span<const char> wanted,
-                                                          std::size_t stride) const {
+void Msdm2Patches::Prepared::make_samples(const Box& box, const TriangleMesh& moved,
+                                          std::span<const char> wanted, std::size_t stride,
+                                          Room& room) const {
     const bool fine = stride >= fine_stride;
-    std::vector<WindowSample> samples(wanted.size());
+    const TriangleMesh& mesh = room.patch.mesh;
+    std::vector<WindowSample>& samples = room.samples;
+    samples.assign(wanted.size(), {});
     std::vector<Index> matched(wanted.size(), no_index); // triangles of the reference
     std::vector<char> corners(wanted.size(), 0);
     for (Index v = 0; v < wanted.size(); ++v) {
         if (!wanted[v])
             continue;
-        const SurfacePoint found = match(patch.mesh, graph, v, moved.positions[v]);
+        const SurfacePoint found = match(mesh, room.graph, v, moved.positions[v]);
         matched[v] = found.triangle;
         if (found.triangle == no_index)
             continue;
-        samples[v].match = evaluate(patch.mesh, found);
+        samples[v].match = evaluate(mesh, found);
         if (fine)
             corners[v] = 1;
         else
-            for (const Index corner : patch.mesh.triangles[found.triangle])
+            for (const Index corner : mesh.triangles[found.triangle])
                 corners[corner] = 1;
     }
-    const std::vector<PerScale> of_reference = curvatures(patch, box, graph, corners);
+    const std::vector<PerScale> of_reference = curvatures(box, corners, room);
+    make_bends(moved, room.graph, room.bends);
     const std::vector<PerScale> of_moved =
-        curvature_magnitudes(moved, graph, bends_of(moved, graph), curvature_radii(), wanted);
+        curvature_magnitudes(moved, room.graph, room.bends, curvature_radii(), wanted);
     for (std::size_t v = 0; v < wanted.size(); ++v)
         if (matched[v] != no_index) {
             samples[v].c = times(side, of_moved[v]);
             samples[v].c_hat =
-                fine ? of_reference[v] : blend(patch.mesh, matched[v], of_reference, moved.positions[v]);
+                fine ? of_reference[v] : blend(mesh, matched[v], of_reference, moved.positions[v]);
         }
-    return samples;
 }
 
 /// Local distances at the vertices of a group, which share a patch.
 std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& distorted,
-                                                  const VertexGroup& group, std::size_t stride) const {
+                                                  const VertexGroup& group, std::size_t stride,
+                                                  Room& room) const {
     const Vec3 margin = Vec3::Constant(around);
     const Box box{group.box.min - margin, group.box.max + margin};
-    const SurfacePatch patch = patches.within(box);
+    patches.take(box, room.patch);
+    const SurfacePatch& patch = room.patch;
     TriangleMesh moved{{}, patch.mesh.triangles};
     moved.positions.reserve(patch.vertices.size());
     std::vector<char> kept(stride > 1 ? patch.vertices.size() : 0);
@@ -281,19 +315,19 @@ std::vector<double> Msdm2Patches::Prepared::local(const std::vector<Vec3>& disto
         if (stride > 1)
             kept[v] = patch.vertices[v] % stride == 0;
     }
-    const EdgeGraph graph(patch.mesh);
+    room.graph.assign(patch.mesh);
     const Thinning thinning{stride, kept};
     std::vector<Index> centres(group.vertices.size());
     std::ranges::transform(group.vertices, centres.begin(), [&](Index v) { return patch.local(v); });
     const bool overlap =
         static_cast<double>(centres.size()) * in_window > 2 * static_cast<double>(patch.vertices.size());
     std::vector<char> wanted =
-        (overlap ? looked_at_nearly : looked_at)(moved, graph, centres, largest_radius(), thinning);
+        (overlap ? looked_at_nearly : looked_at)(moved, room.graph, centres, largest_radius(), thinning);
     for (const Index centre : centres)
         wanted[centre] = 1;
-    const std::vector<WindowSample> of_vertices = samples(patch, box, moved, graph, wanted, stride);
+    make_samples(box, moved, wanted, stride, room);
     const PerScale radii = this->radii();
-    Msdm2Windows windows(moved, graph, of_vertices, radii, options, thinning);
+    Msdm2Windows windows(moved, room.graph, room.samples, radii, options, thinning);
     std::vector<double> local(centres.size());
     for (std::size_t i = 0; i < local.size(); ++i)
         local[i] = windows.local_distance(centres[i]);
@@ -312,8 +346,11 @@ Msdm2Sample Msdm2Patches::Prepared::sample(const std::vector<Vec3>& distorted, s
     // The longest first, so that all threads end at about the same time.
     std::ranges::stable_sort(groups, std::ranges::greater{},
                              [](const VertexGroup& group) { return group.vertices.size(); });
+    Rooms rooms;
     parallel_tasks(groups.size(), [&](std::size_t g) {
-        const std::vector<double> local = this->local(distorted, groups[g], stride);
+        std::unique_ptr<Room> room = rooms.take();
+        const std::vector<double> local = this->local(distorted, groups[g], stride, *room);
+        rooms.give_back(std::move(room));
         for (std::size_t i = 0; i < local.size(); ++i) {
             const auto at = std::ranges::lower_bound(sample.vertices, groups[g].vertices[i]);
             sample.local[static_cast<std::size_t>(at - sample.vertices.begin())] = local[i];

@@ -105,8 +105,9 @@ void SurfacePatches::for_each_run(const Box& box, Visitor&& visit) const {
                     visit(r);
 }
 
-SurfacePatch SurfacePatches::within(const Box& box) const {
-    SurfacePatch patch;
+void SurfacePatches::take(const Box& box, SurfacePatch& patch) const {
+    patch.mesh.triangles.clear();
+    patch.mesh.positions.clear();
     NumberSet corners(mesh_.positions.size());
     for_each_run(box, [&](std::size_t r) {
         const bool all = holds(box, runs_[r]);
@@ -124,7 +125,6 @@ SurfacePatch SurfacePatches::within(const Box& box) const {
     for (Triangle& t : patch.mesh.triangles)
         for (Index& v : t)
             v = corners.rank(v);
-    return patch;
 }
 
 std::vector<VertexGroup> groups_of(const TriangleMesh& mesh, const std::vector<Index>& vertices, int bits) {

@@ -26,8 +26,9 @@ public:
     /// The mesh has to outlive the object.
     explicit SurfacePatches(const TriangleMesh& mesh);
 
-    /// The triangles whose own boxes meet this one, with their corners, all in the order of the mesh.
-    SurfacePatch within(const Box& box) const;
+    /// Takes, in the memory of a patch, the triangles whose own boxes meet this one, with their corners, all in the order of
+    /// the mesh.
+    void take(const Box& box, SurfacePatch& patch) const;
 
 private:
     template<typename Visitor>

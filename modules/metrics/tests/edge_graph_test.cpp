@@ -50,9 +50,7 @@ TEST_CASE("an edge between triangles that disagree, or of three triangles, turns
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, -1, 0}};
     const TriangleMesh fold{points, {{0, 1, 2}, {1, 0, 3}}}, disagreeing{points, {{0, 1, 2}, {0, 1, 3}}},
         fan{points, {{0, 1, 2}, {1, 0, 3}, {1, 0, 4}}};
-    const auto angle_of_first = [](const TriangleMesh& mesh) {
-        return angles(mesh).front();
-    };
+    const auto angle_of_first = [](const TriangleMesh& mesh) { return angles(mesh).front(); };
     CHECK(std::abs(angle_of_first(fold)) == doctest::Approx(std::numbers::pi / 2));
     CHECK(angle_of_first(disagreeing) == 0);
     CHECK(angle_of_first(fan) == 0);

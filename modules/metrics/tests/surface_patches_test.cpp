@@ -14,7 +14,8 @@ using namespace wm3d::metrics;
 TEST_CASE("a patch has the triangles that meet its box, in their order") {
     const TriangleMesh mesh = along_curve(shapes::blob(5000, 1)).mesh;
     const Box box{mesh.positions[700] - Vec3::Constant(0.2), mesh.positions[700] + Vec3::Constant(0.2)};
-    const SurfacePatch patch = SurfacePatches(mesh).within(box);
+    SurfacePatch patch;
+    SurfacePatches(mesh).take(box, patch);
     std::vector<Triangle> expected;
     for (const Triangle& t : mesh.triangles) {
         const Box own =
