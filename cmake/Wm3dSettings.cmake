@@ -34,6 +34,7 @@ endif()
 # wm3d_not_hot(TARGET): what no command waits for is compiled in less time, not for speed.
 function(wm3d_not_hot target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+    set_target_properties(${target} PROPERTIES WM3D_NOT_HOT ON) # see wm3d_together
 endfunction()
 
 find_program(WM3D_CCACHE ccache)
