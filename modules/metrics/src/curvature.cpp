@@ -71,24 +71,22 @@ class Balls {
 public:
     Balls(const TriangleMesh& mesh, const EdgeGraph& graph, const std::vector<Bend>& bends,
           const PerScale& radii)
-        : bends_(bends), walk_(mesh, graph) {
+        : graph_(graph), bends_(bends), walk_(mesh, graph) {
         std::iota(ascending_.begin(), ascending_.end(), std::size_t{0});
         std::ranges::stable_sort(ascending_, {}, [&](std::size_t k) { return radii[k]; });
-        for (std::size_t i = 0; i < scales; ++i)
-            squares_[i] = radii[ascending_[i]] * radii[ascending_[i]];
-        largest_ = radii[ascending_.back()];
+        for (std::size_t i = 0; i < scales; ++i) {
+            radii_[i] = radii[ascending_[i]];
+            squares_[i] = radii_[i] * radii_[i];
+        }
     }
 
     std::array<Symmetric, scales> tensors(Index centre) {
-        walk_.from(centre, largest_);
+        walk_.from(centre, radii_.back());
         whole_ = crossing_ = {};
         const std::span<const OutwardWalk::Step> steps = walk_.steps();
-        const OutwardWalk::Step nothing;
-        for (std::size_t i = 0; i < steps.size(); i += 2)
-            if (i + 1 < steps.size())
-                add(steps[i], bends_[steps[i].edge], steps[i + 1], bends_[steps[i + 1].edge]);
-            else
-                add(steps[i], bends_[steps[i].edge], nothing, {});
+        const std::size_t from_centre = graph_.ways_from(centre).size();
+        for_pairs(steps.first(from_centre), [&](const Edges& pair) { add_from_centre(pair); });
+        for_pairs(steps.subspan(from_centre), [&](const Edges& pair) { add(pair); });
         std::array<Symmetric, scales> tensors;
         Symmetric within{};
         for (std::size_t k = 0; k < scales; ++k)
@@ -104,36 +102,68 @@ private:
 
     struct Tensor : std::array<Pair, std::tuple_size_v<Symmetric>> {
         Tensor() { fill(Pair::Zero()); }
+
+        void add(const Pair& share, const Tensor& other) {
+            for (std::size_t i = 0; i < size(); ++i)
+                (*this)[i] += share * other[i];
+        }
     };
 
-    void add(const OutwardWalk::Step& s, const Bend& of_s, const OutwardWalk::Step& t, const Bend& of_t) {
-        const Pair x(s.along[0], t.along[0]), y(s.along[1], t.along[1]), z(s.along[2], t.along[2]);
-        // angle(e) length(e) e e^T of a unit e
-        const Pair weight(of_s.angle_per_length, of_t.angle_per_length);
-        const Pair wx = weight * x, wy = weight * y, wz = weight * z;
-        const std::array<Pair, 6> tensor{wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
-        const double farthest = std::max(s.to_square, t.to_square);
-        std::size_t k = 0;
-        for (; k < scales && farthest > squares_[k]; ++k) {
-            // |start + share along| = radius, the root ahead; all of it where that lies beyond its end, and nothing
-            // where it starts outside
-            const Pair outward(s.outward, t.outward), per_square(of_s.per_square, of_t.per_square);
-            const Pair from(walk_.reached()[s.reached].square, walk_.reached()[t.reached].square);
-            const Pair square = x * x + y * y + z * z;
-            const Pair root = (outward * outward - square * (from - squares_[k])).max(0.0).sqrt();
-            const Pair share = ((root - outward) * per_square).max(0.0).min(1.0);
-            for (std::size_t i = 0; i < tensor.size(); ++i)
-                crossing_[k][i] += share * tensor[i];
+    /// Two edges of a walk.
+    struct Edges {
+        const OutwardWalk::Step& s;
+        const OutwardWalk::Step& t;
+        Pair x, y, z, per_length;
+        Tensor whole; ///< angle(e) length(e) e e^T of a unit e
+
+        Edges(const OutwardWalk::Step& first, const Bend& of_first, const OutwardWalk::Step& second,
+              const Bend& of_second)
+            : s(first), t(second), x(s.along[0], t.along[0]), y(s.along[1], t.along[1]),
+              z(s.along[2], t.along[2]), per_length(of_first.per_length, of_second.per_length) {
+            const Pair weight(of_first.angle_per_length, of_second.angle_per_length);
+            const Pair wx = weight * x, wy = weight * y, wz = weight * z;
+            static_cast<std::array<Pair, 6>&>(whole) = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
         }
-        if (k < scales)
-            for (std::size_t i = 0; i < tensor.size(); ++i)
-                whole_[k][i] += tensor[i];
+    };
+
+    template<typename Add>
+    void for_pairs(std::span<const OutwardWalk::Step> steps, Add&& add) const {
+        const OutwardWalk::Step nothing;
+        for (std::size_t i = 0; i < steps.size(); i += 2)
+            if (i + 1 < steps.size())
+                add(Edges(steps[i], bends_[steps[i].edge], steps[i + 1], bends_[steps[i + 1].edge]));
+            else
+                add(Edges(steps[i], bends_[steps[i].edge], nothing, {}));
     }
 
+    void add_from_centre(const Edges& pair) {
+        for (std::size_t k = 0; k < scales; ++k)
+            crossing_[k].add((radii_[k] * pair.per_length).min(1.0), pair.whole);
+    }
+
+    void add(const Edges& pair) {
+        const double farthest = std::max(pair.s.to_square, pair.t.to_square);
+        std::size_t k = 0;
+        for (; k < scales && farthest > squares_[k]; ++k)
+            crossing_[k].add(share_within(squares_[k], pair), pair.whole);
+        if (k < scales)
+            whole_[k].add(Pair::Ones(), pair.whole);
+    }
+
+    /// |start + share along| = radius, the root ahead; all of it where that lies beyond its end, and nothing where it
+    /// starts outside.
+    Pair share_within(double square_radius, const Edges& pair) const {
+        const Pair outward(pair.s.outward, pair.t.outward);
+        const Pair from(walk_.reached()[pair.s.reached].square, walk_.reached()[pair.t.reached].square);
+        const Pair square = pair.x * pair.x + pair.y * pair.y + pair.z * pair.z;
+        const Pair root = (outward * outward - square * (from - square_radius)).max(0.0).sqrt();
+        return ((root - outward) * (pair.per_length * pair.per_length)).max(0.0).min(1.0);
+    }
+
+    const EdgeGraph& graph_;
     const std::vector<Bend>& bends_;
     std::array<std::size_t, scales> ascending_; ///< numbers of the scales, by their radii
-    PerScale squares_{};                        ///< of the radii, ascending
-    double largest_;
+    PerScale radii_{}, squares_{};              ///< ascending
     OutwardWalk walk_;
     std::array<Tensor, scales> whole_; ///< of edges that this ball holds and no smaller one does
     std::array<Tensor, scales>

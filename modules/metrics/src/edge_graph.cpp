@@ -145,7 +145,7 @@ Bend bend_at(const TriangleMesh& mesh, const EdgeGraph::Edge& edge) {
         return {};
     const double length = e.norm(), per_length = 1 / length;
     const double sine = -left.dot(q) * length / std::sqrt(areas);
-    return {std::asin(std::clamp(sine, -1.0, 1.0)) * per_length, per_length * per_length};
+    return {std::asin(std::clamp(sine, -1.0, 1.0)) * per_length, per_length};
 }
 
 } // namespace

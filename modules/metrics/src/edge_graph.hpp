@@ -59,7 +59,7 @@ private:
 /// How the surface turns along an edge.
 struct Bend {
     double angle_per_length = 0; ///< positive where convex
-    double per_square = 0;       ///< 1 / length^2
+    double per_length = 0;       ///< 1 / length
 };
 
 /// Of every edge, #E, in the memory of others; 0 at edges without length, and at those without two triangles that agree on

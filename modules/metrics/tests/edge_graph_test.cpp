@@ -40,7 +40,7 @@ namespace {
 std::vector<double> angles(const TriangleMesh& mesh) {
     std::vector<double> angles;
     for (const Bend& bend : bends_of(mesh, EdgeGraph(mesh)))
-        angles.push_back(bend.angle_per_length == 0 ? 0 : bend.angle_per_length / std::sqrt(bend.per_square));
+        angles.push_back(bend.angle_per_length == 0 ? 0 : bend.angle_per_length / bend.per_length);
     return angles;
 }
 
