@@ -82,11 +82,14 @@ public:
 
     std::array<Symmetric, scales> tensors(Index centre) {
         walk_.from(centre, radii_.back());
-        whole_ = crossing_ = {};
+        for (std::size_t k = 0; k < scales; ++k) {
+            whole_[k].fill(Pair::Zero());
+            crossing_[k].fill(Pair::Zero());
+        }
         const std::span<const OutwardWalk::Step> steps = walk_.steps();
         const std::size_t from_centre = graph_.ways_from(centre).size();
         for_pairs(steps.first(from_centre), [&](const Edges& pair) { add_from_centre(pair); });
-        for_pairs(steps.subspan(from_centre), [&](const Edges& pair) { add(pair); });
+        for_pairs(steps.subspan(from_centre), [&](const Edges& pair) { add_farther(pair); });
         std::array<Symmetric, scales> tensors;
         Symmetric within{};
         for (std::size_t k = 0; k < scales; ++k)
@@ -99,15 +102,7 @@ public:
 
 private:
     using Pair = Eigen::Array<double, 2, 1>;
-
-    struct Tensor : std::array<Pair, std::tuple_size_v<Symmetric>> {
-        Tensor() { fill(Pair::Zero()); }
-
-        void add(const Pair& share, const Tensor& other) {
-            for (std::size_t i = 0; i < size(); ++i)
-                (*this)[i] += share * other[i];
-        }
-    };
+    using Tensor = std::array<Pair, std::tuple_size_v<Symmetric>>;
 
     /// Two edges of a walk.
     struct Edges {
@@ -122,32 +117,37 @@ private:
               z(s.along[2], t.along[2]), per_length(of_first.per_length, of_second.per_length) {
             const Pair weight(of_first.angle_per_length, of_second.angle_per_length);
             const Pair wx = weight * x, wy = weight * y, wz = weight * z;
-            static_cast<std::array<Pair, 6>&>(whole) = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
+            whole = {wx * x, wx * y, wx * z, wy * y, wy * z, wz * z};
         }
     };
 
-    template<typename Add>
-    void for_pairs(std::span<const OutwardWalk::Step> steps, Add&& add) const {
+    static void add(const Pair& share, const Tensor& tensor, Tensor& sum) {
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += share * tensor[i];
+    }
+
+    template<typename Visitor>
+    void for_pairs(std::span<const OutwardWalk::Step> steps, Visitor&& visit) const {
         const OutwardWalk::Step nothing;
         for (std::size_t i = 0; i < steps.size(); i += 2)
             if (i + 1 < steps.size())
-                add(Edges(steps[i], bends_[steps[i].edge], steps[i + 1], bends_[steps[i + 1].edge]));
+                visit(Edges(steps[i], bends_[steps[i].edge], steps[i + 1], bends_[steps[i + 1].edge]));
             else
-                add(Edges(steps[i], bends_[steps[i].edge], nothing, {}));
+                visit(Edges(steps[i], bends_[steps[i].edge], nothing, {}));
     }
 
     void add_from_centre(const Edges& pair) {
         for (std::size_t k = 0; k < scales; ++k)
-            crossing_[k].add((radii_[k] * pair.per_length).min(1.0), pair.whole);
+            add((radii_[k] * pair.per_length).min(1.0), pair.whole, crossing_[k]);
     }
 
-    void add(const Edges& pair) {
+    void add_farther(const Edges& pair) {
         const double farthest = std::max(pair.s.to_square, pair.t.to_square);
         std::size_t k = 0;
         for (; k < scales && farthest > squares_[k]; ++k)
-            crossing_[k].add(share_within(squares_[k], pair), pair.whole);
+            add(share_within(squares_[k], pair), pair.whole, crossing_[k]);
         if (k < scales)
-            whole_[k].add(Pair::Ones(), pair.whole);
+            add(Pair::Ones(), pair.whole, whole_[k]);
     }
 
     /// |start + share along| = radius, the root ahead; all of it where that lies beyond its end, and nothing where it
