@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include <wm3d/core/parallel.hpp>
@@ -12,29 +11,6 @@
 namespace wm3d::metrics {
 
 namespace {
-
-/// For lists by vertices: their lengths are counted two places on, so that filling them, with what is one place on as the place
-/// to fill next, leaves where each begins.
-class Filing {
-public:
-    Filing(std::vector<std::size_t>& first, std::size_t vertices) : first_(first) {
-        first_.assign(vertices + 2, 0);
-    }
-
-    void count(Index vertex) { ++first_[vertex + 2]; }
-
-    /// To be called after all are counted. Returns how many these are.
-    std::size_t begin_filling() {
-        std::partial_sum(first_.begin(), first_.end(), first_.begin());
-        return first_.back();
-    }
-
-    /// Where the next of the vertex belongs.
-    std::size_t place(Index vertex) { return first_[vertex + 1]++; }
-
-private:
-    std::vector<std::size_t>& first_;
-};
 
 /// A triangle's side from one vertex up to another of a higher number, or down from there.
 struct Side {
@@ -157,14 +133,11 @@ void EdgeGraph::assign(const TriangleMesh& mesh) {
 }
 
 void EdgeGraph::file_triangles(const TriangleMesh& mesh) {
-    Filing filing(first_triangle_, mesh.positions.size());
-    for (const Triangle& t : mesh.triangles)
-        for (const Index v : t)
-            filing.count(v);
-    triangle_at_.resize(filing.begin_filling());
-    for (Index f = 0; f < mesh.triangles.size(); ++f)
-        for (const Index v : mesh.triangles[f])
-            triangle_at_[filing.place(v)] = f;
+    file_into(triangles_, mesh.positions.size(), 3 * mesh.triangles.size(), [&](auto&& file) {
+        for (Index f = 0; f < mesh.triangles.size(); ++f)
+            for (const Index v : mesh.triangles[f])
+                file(v, [&] { return f; });
+    });
 }
 
 /// By their lower ends, then by the others.
@@ -178,16 +151,12 @@ void EdgeGraph::list_edges(const TriangleMesh& mesh) {
 
 /// The edges under both of their ends.
 void EdgeGraph::file_ways(std::size_t vertices) {
-    Filing filing(first_way_, vertices);
-    for (const Edge& e : edges_) {
-        filing.count(e.a);
-        filing.count(e.b);
-    }
-    ways_.resize(filing.begin_filling());
-    for (Index e = 0; e < edges_.size(); ++e) {
-        ways_[filing.place(edges_[e].a)] = {edges_[e].b, e};
-        ways_[filing.place(edges_[e].b)] = {edges_[e].a, e};
-    }
+    file_into(ways_, vertices, 2 * edges_.size(), [&](auto&& file) {
+        for (Index e = 0; e < edges_.size(); ++e) {
+            file(edges_[e].a, [&] { return Way{edges_[e].b, e}; });
+            file(edges_[e].b, [&] { return Way{edges_[e].a, e}; });
+        }
+    });
 }
 
 void make_bends(const TriangleMesh& mesh, const EdgeGraph& graph, std::vector<Bend>& bends) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <wm3d/core/filed.hpp>
 #include <wm3d/mesh/triangle_mesh.hpp>
 
 namespace wm3d::metrics {
@@ -35,15 +36,10 @@ public:
     std::span<const Edge> edges() && = delete; // would outlive what it shows
 
     /// Edges at a vertex, ascending.
-    std::span<const Way> ways_from(std::size_t vertex) const {
-        return {ways_.data() + first_way_[vertex], first_way_[vertex + 1] - first_way_[vertex]};
-    }
+    std::span<const Way> ways_from(std::size_t vertex) const { return ways_.under(vertex); }
 
     /// Triangles at a vertex, ascending.
-    std::span<const Index> triangles_at(std::size_t vertex) const {
-        return {triangle_at_.data() + first_triangle_[vertex],
-                first_triangle_[vertex + 1] - first_triangle_[vertex]};
-    }
+    std::span<const Index> triangles_at(std::size_t vertex) const { return triangles_.under(vertex); }
 
 private:
     void file_triangles(const TriangleMesh& mesh);
@@ -51,9 +47,8 @@ private:
     void file_ways(std::size_t vertices);
 
     std::vector<Edge> edges_;
-    std::vector<std::size_t> first_way_, first_triangle_; ///< #V + 1, and one more
-    std::vector<Way> ways_;
-    std::vector<Index> triangle_at_;
+    Filed<Way> ways_;
+    Filed<Index> triangles_;
 };
 
 /// How the surface turns along an edge.

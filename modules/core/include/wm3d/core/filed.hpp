@@ -27,16 +27,16 @@ struct Filed {
     }
 };
 
-/// Files values in the order in which they come. Threads share a long list: each goes through all of it and keeps what
+/// Files values in the order in which they come, in the memory of others. Threads share a long list: each goes through all of it and keeps what
 /// belongs under its own keys.
 /// \param keys  how many there are; values under others are left out
 /// \param length  of the list, about
 /// \param for_each  calls file(key, make) for all of the list; `make` returns the value, and is called once for those
 ///                  that are kept
 template<typename Value, typename ForEach>
-Filed<Value> filed(std::size_t keys, std::size_t length, ForEach&& for_each) {
-    Filed<Value> result{std::vector<std::uint32_t>(keys + 1, 0), {}};
+void file_into(Filed<Value>& result, std::size_t keys, std::size_t length, ForEach&& for_each) {
     std::vector<std::uint32_t>& start = result.start;
+    start.assign(keys + 1, 0);
     const auto shared = [&](auto&& keep) {
         parallel_shares(keys, length, [&](std::size_t begin, std::size_t end) {
             for_each([&](std::size_t key, auto&& make) {
@@ -52,6 +52,13 @@ Filed<Value> filed(std::size_t keys, std::size_t length, ForEach&& for_each) {
     // By now `start` tells where the values of each key end.
     std::copy_backward(start.begin(), start.end() - 1, start.end());
     start.front() = 0;
+}
+
+/// The same in memory of their own.
+template<typename Value, typename ForEach>
+Filed<Value> filed(std::size_t keys, std::size_t length, ForEach&& for_each) {
+    Filed<Value> result;
+    file_into(result, keys, length, for_each);
     return result;
 }
 
