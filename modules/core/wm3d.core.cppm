@@ -10,6 +10,7 @@ using wm3d::check_json_depth;
 using wm3d::Descriptor;
 using wm3d::Error;
 using wm3d::ErrorCode;
+using wm3d::file_into;
 using wm3d::Filed;
 using wm3d::filed;
 using wm3d::Fnv;

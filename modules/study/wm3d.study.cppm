@@ -39,6 +39,7 @@ using wm3d::enclosed_volume;
 using wm3d::Error;
 using wm3d::ErrorCode;
 using wm3d::evaluate;
+using wm3d::file_into;
 using wm3d::Filed;
 using wm3d::filed;
 using wm3d::Fnv;
