@@ -11,7 +11,7 @@ namespace wm3d::detect {
 namespace {
 
 /// Of solutions that weigh a residual, or carry it back: an error of this part costs its square of the score.
-constexpr double weighing_tolerance = 1e-3;
+constexpr double weighing_tolerance = 3e-3;
 
 double median(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);

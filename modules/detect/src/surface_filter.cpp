@@ -85,14 +85,13 @@ std::vector<std::vector<double>> SurfaceFilter::low_pass(double t, std::vector<s
     }
     const Diffusion system = operators_->system(t);
     std::vector<std::vector<double>> smooth(vectors.size());
-    // The coordinates of a surface come three at a time.
-    parallel_blocks(vectors.size(), 3, [&](std::size_t begin, std::size_t end) {
-        const std::span from(vectors.data() + begin, end - begin);
-        const std::span to(smooth.data() + begin, end - begin);
-        if (from.size() == 3)
+    // The coordinates of a surface share passes over the matrix; of other vectors each has a thread.
+    const std::size_t together = vectors.size() % 3 == 0 ? 3 : 1;
+    parallel_blocks(vectors.size(), together, [&](std::size_t begin, std::size_t) {
+        const std::span from = std::span<const std::vector<double>>(vectors).subspan(begin, together);
+        const std::span to = std::span(smooth).subspan(begin, together);
+        if (together == 3)
             low_pass_together<3>(system, from, to, tolerance);
-        else if (from.size() == 2)
-            low_pass_together<2>(system, from, to, tolerance);
         else
             low_pass_together<1>(system, from, to, tolerance);
     });
