@@ -13,7 +13,7 @@ namespace wm3d::masking {
 namespace {
 
 /// Of averages that weigh the mask.
-constexpr double spread_tolerance = 1e-3;
+constexpr double spread_tolerance = 3e-3;
 
 /// Of what roughness is measured against; a few thousandths of the roughness are wrong then.
 constexpr double residual_tolerance = 1e-5;

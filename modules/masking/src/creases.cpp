@@ -125,12 +125,14 @@ std::vector<Index> Creases::turned_too_far(std::span<const double> moves,
 }
 
 void Creases::limit(std::vector<double>& moves, const CreaseOptions& options) const {
-    std::vector<Index> active = turned_too_far(moves, options), changed;
+    std::vector<Index> active, changed;
+    Filed<Index> hinges_of;
+    parallel_invoke([&] { active = turned_too_far(moves, options); },
+                    [&] { hinges_of = by_vertex(vertices_, mesh_.positions.size()); });
     if (active.empty())
         return;
     std::vector<double> weight(moves.size());
     std::ranges::transform(moves, weight.begin(), [](double m) { return m * m; });
-    const Filed<Index> hinges_of = by_vertex(vertices_, mesh_.positions.size());
     for (std::size_t round = 0; round < options.most_rounds && !active.empty(); ++round) {
         changed.clear();
         for (Index h : active) {

@@ -14,6 +14,9 @@ namespace wm3d::watermark {
 
 namespace {
 
+/// Of the solver that makes a mark smooth: what it leaves is a part of the mark.
+constexpr double mark_tolerance = 1e-4;
+
 /// The shaped mark on a base domain, of about `rms` mean radii.
 std::vector<Vec3> shaped_base(const TriangleMesh& base, std::span<const double> w, unsigned level, double rms,
                               double density) {
@@ -57,7 +60,7 @@ Marker::Layout Marker::masked(std::span<const double> w, unsigned level) const {
     const Carried& with = carried(level, [&](const Carried& made) {
         smooth = bumps(made, level, w);
         unit = percent_of_diagonal(made.carriers.rms(smooth));
-        smooth = made.carriers.smooth(std::move(smooth));
+        smooth = made.carriers.smooth(std::move(smooth), mark_tolerance);
     });
     std::vector<double> moves = with.carriers.masked(std::move(smooth));
     const double rms = percent_of_diagonal(with.carriers.rms(moves));
