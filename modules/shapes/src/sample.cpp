@@ -39,39 +39,58 @@ double box_distance(const Vec3& p, const Vec3& centre, const Vec3& half) {
 
 /// Radius of the body at height z: a cubic through the points with slopes from their neighbours.
 double profile(double z) {
-    static constexpr std::array<std::array<double, 2>, 11> points{{{0.10, 0.215},
-                                                                   {0.22, 0.200},
-                                                                   {0.32, 0.125},
-                                                                   {0.42, 0.135},
-                                                                   {0.62, 0.290},
-                                                                   {0.86, 0.385},
-                                                                   {1.10, 0.355},
-                                                                   {1.32, 0.215},
-                                                                   {1.50, 0.135},
-                                                                   {1.72, 0.145},
-                                                                   {2.00, 0.235}}};
-    z = std::clamp(z, points.front()[0], points.back()[0] - 1e-9);
-    std::size_t i = 0;
-    while (points[i + 1][0] <= z)
-        ++i;
-    const auto slope = [&](std::size_t k) {
-        const auto& a = points[k == 0 ? 0 : k - 1];
-        const auto& b = points[std::min(k + 1, points.size() - 1)];
-        return (b[1] - a[1]) / (b[0] - a[0]);
+    struct Knot {
+        double height, radius;
+        double slope = 0;
     };
-    const double width = points[i + 1][0] - points[i][0], t = (z - points[i][0]) / width;
-    return (2 * t * t * t - 3 * t * t + 1) * points[i][1] + (t * t * t - 2 * t * t + t) * width * slope(i) +
-           (3 * t * t - 2 * t * t * t) * points[i + 1][1] + (t * t * t - t * t) * width * slope(i + 1);
+    static const std::array<Knot, 11> knots = [] {
+        std::array<Knot, 11> k{{{0.10, 0.215},
+                                {0.22, 0.200},
+                                {0.32, 0.125},
+                                {0.42, 0.135},
+                                {0.62, 0.290},
+                                {0.86, 0.385},
+                                {1.10, 0.355},
+                                {1.32, 0.215},
+                                {1.50, 0.135},
+                                {1.72, 0.145},
+                                {2.00, 0.235}}};
+        for (std::size_t i = 0; i < k.size(); ++i) {
+            const Knot& a = k[i == 0 ? 0 : i - 1];
+            const Knot& b = k[std::min(i + 1, k.size() - 1)];
+            k[i].slope = (b.radius - a.radius) / (b.height - a.height);
+        }
+        return k;
+    }();
+    z = std::clamp(z, knots.front().height, knots.back().height - 1e-9);
+    std::size_t i = 0;
+    while (knots[i + 1].height <= z)
+        ++i;
+    const Knot &low = knots[i], &high = knots[i + 1];
+    const double width = high.height - low.height, t = (z - low.height) / width;
+    return (2 * t * t * t - 3 * t * t + 1) * low.radius + (t * t * t - 2 * t * t + t) * width * low.slope +
+           (3 * t * t - 2 * t * t * t) * high.radius + (t * t * t - t * t) * width * high.slope;
 }
 
-/// Distance bound to the solid of revolution about z, flattened along y; `inset` shrinks it.
-double revolved(const Vec3& p, double inset, double groove) {
-    constexpr double flattening = 0.82;
-    const double radius = std::hypot(p.x(), p.y() / flattening);
-    const double step = 1e-4;
-    const double steepness = (profile(p.z() + step) - profile(p.z() - step)) / (2 * step);
-    return flattening * (radius - profile(p.z()) + inset + groove) / std::sqrt(1 + steepness * steepness);
-}
+/// The solid of revolution about z, flattened along y, as a point sees it.
+class Revolved {
+public:
+    explicit Revolved(const Vec3& p) {
+        constexpr double step = 1e-4;
+        const double steepness = (profile(p.z() + step) - profile(p.z() - step)) / (2 * step);
+        beyond_ = std::hypot(p.x(), p.y() / flattening) - profile(p.z());
+        slant_ = std::sqrt(1 + steepness * steepness);
+    }
+
+    /// Distance bound; `inset` shrinks the solid.
+    double distance(double inset, double groove) const {
+        return flattening * (beyond_ + inset + groove) / slant_;
+    }
+
+private:
+    static constexpr double flattening = 0.82;
+    double beyond_, slant_;
+};
 
 /// Helical gadroons on the belly: round ribs with sharp valleys between them.
 double gadroons(const Vec3& p) {
@@ -93,14 +112,19 @@ Vec3 pinch(const Vec3& p) {
             p.y() * (1 + 0.45 * high * smooth_step(0, 0.3, -p.x())), p.z()};
 }
 
-double vessel(const Vec3& p, double wall) {
-    const Vec3 pinched = pinch(p);
+struct Vessel {
+    double solid;
+    double cavity; ///< that is cut out of the solid
+};
+
+Vessel vessel(const Vec3& p, double wall) {
+    const Revolved pinched(pinch(p));
     const double rim = p.z() - rim_height(p);
     const double foot = 0.10 - p.z();
-    const double outside = std::max({revolved(pinched, 0, gadroons(p)) / 1.35, rim, foot});
+    const double outside = std::max({pinched.distance(0, gadroons(p)) / 1.35, rim, foot});
     // The neck is hollow down to the shoulder, as deep as a scanner sees.
-    const double cavity = std::max(revolved(pinched, wall, 0) / 1.35, 1.38 - p.z());
-    return std::max(outside, -cavity);
+    const double cavity = std::max(pinched.distance(wall, 0) / 1.35, 1.38 - p.z());
+    return {std::max(outside, -cavity), cavity};
 }
 
 Vec3 handle_point(double t) {
@@ -111,21 +135,49 @@ Vec3 handle_point(double t) {
            t * t * t * control[3];
 }
 
+/// The curve of the handle, cut into straight pieces.
+struct HandlePiece {
+    double t; ///< parameter of its beginning
+    Vec3 begin, along;
+    double squared_length;
+};
+constexpr int handle_pieces = 40;
+
+const std::array<HandlePiece, handle_pieces>& handle_curve() {
+    static const std::array<HandlePiece, handle_pieces> curve = [] {
+        std::array<HandlePiece, handle_pieces> pieces;
+        for (int k = 0; k < handle_pieces; ++k) {
+            const double t = k / double(handle_pieces);
+            const Vec3 a = handle_point(t), b = handle_point(t + 1.0 / handle_pieces);
+            pieces[static_cast<std::size_t>(k)] = {t, a, b - a, (b - a).squaredNorm()};
+        }
+        return pieces;
+    }();
+    return curve;
+}
+
+/// How far p is from a box that holds the whole handle.
+double handle_box(const Vec3& p) {
+    return box_distance(p, {0.38, 0, 1.50}, {0.34, 0.10, 0.52});
+}
+
 /// A strap with sharp edges along a plane curve, wider at its root; thin across.
 double handle(const Vec3& p, double thickness) {
-    constexpr int pieces = 40;
-    const double away = box_distance(p, {0.38, 0, 1.50}, {0.34, 0.10, 0.52});
+    const double away = handle_box(p);
     if (away > 0.2) // far off, the box around it is bound enough
         return away;
-    double nearest = std::numeric_limits<double>::infinity(), t_nearest = 0;
-    for (int piece = 0; piece < pieces; ++piece) {
-        const double t0 = piece / double(pieces);
-        const Vec3 a = handle_point(t0), b = handle_point(t0 + 1.0 / pieces);
-        const Vec3 flat(p.x(), 0, p.z());
-        const double s = std::clamp((flat - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-        if (const double d = (flat - a - s * (b - a)).norm(); d < nearest) {
+    const Vec3 flat(p.x(), 0, p.z());
+    double nearest = std::numeric_limits<double>::infinity(), nearest_squared = nearest, t_nearest = 0;
+    for (const HandlePiece& piece : handle_curve()) {
+        const Vec3 from = flat - piece.begin;
+        const double s = std::clamp(from.dot(piece.along) / piece.squared_length, 0.0, 1.0);
+        const double squared = (from - s * piece.along).squaredNorm();
+        if (squared >= nearest_squared)
+            continue;
+        if (const double d = std::sqrt(squared); d < nearest) {
             nearest = d;
-            t_nearest = t0 + s / pieces;
+            nearest_squared = squared;
+            t_nearest = piece.t + s / handle_pieces;
         }
     }
     const double half_width = 0.075 - 0.03 * smooth_step(0.0, 0.6, t_nearest);
@@ -144,10 +196,13 @@ double plinth(const Vec3& p) {
 
 /// The whole ewer; parts thinner than `thinnest` are made that thick.
 double ewer(const Vec3& p, double thinnest) {
-    const double body = vessel(p, std::max(0.034, thinnest));
-    const double with_handle = smooth_union(body, handle(p, std::max(0.05, thinnest)), 0.04);
+    constexpr double fillet = 0.04;
+    const auto [body, cavity] = vessel(p, std::max(0.034, thinnest));
+    // Where the box around the handle is too far for the fillet, so is the handle.
+    const double with_handle = handle_box(p) > body + 1.01 * fillet
+                                   ? body
+                                   : smooth_union(body, handle(p, std::max(0.05, thinnest)), fillet);
     // The fillet must not close the mouth: the cavity is cut again through the handle's root.
-    const double cavity = std::max(revolved(pinch(p), std::max(0.034, thinnest), 0) / 1.35, 1.38 - p.z());
     return std::min(std::max(with_handle, -cavity), plinth(p));
 }
 
