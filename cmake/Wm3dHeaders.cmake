@@ -9,7 +9,7 @@ file(CONFIGURE OUTPUT eigen_precompiled.cpp CONTENT "// What is precompiled for 
 add_library(wm3d_eigen_precompiled OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/eigen_precompiled.cpp)
 target_link_libraries(wm3d_eigen_precompiled PRIVATE wm3d::third::eigen)
 target_compile_features(wm3d_eigen_precompiled PRIVATE cxx_std_20)
-target_precompile_headers(wm3d_eigen_precompiled PRIVATE <Eigen/Core>)
+target_precompile_headers(wm3d_eigen_precompiled PRIVATE <Eigen/Geometry>)
 
 # A compiler cache has to be told that what is precompiled only depends on what it includes.
 set(launcher ${CMAKE_CXX_COMPILER_LAUNCHER})

@@ -2,8 +2,6 @@
 /// \file  Rotation, uniform scale and translation.
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include <wm3d/mesh/frame.hpp>
 
 namespace wm3d::resync {
@@ -17,40 +15,24 @@ struct Similarity {
 
     Vec3 operator()(const Vec3& p) const { return scale * (rotation * p) + translation; }
 
-    Similarity inverse() const {
-        return {rotation.transpose(), 1 / scale, -(rotation.transpose() * translation) / scale};
-    }
+    Similarity inverse() const;
 
     /// First `first`, then this.
-    Similarity operator*(const Similarity& first) const {
-        return {rotation * first.rotation, scale * first.scale, (*this)(first.translation)};
-    }
+    Similarity operator*(const Similarity& first) const;
 
-    bool mirrors() const { return rotation.determinant() < 0; }
+    bool mirrors() const;
 
     /// The transform of homogeneous coordinates.
-    Eigen::Matrix4d matrix() const {
-        Eigen::Matrix4d m = Eigen::Matrix4d::Identity();
-        m.topLeftCorner<3, 3>() = scale * rotation;
-        m.topRightCorner<3, 1>() = translation;
-        return m;
-    }
+    Eigen::Matrix4d matrix() const;
 };
 
 /// Where a frame of a mesh lies on the moved mesh: the canonical coordinates of p and of t(p) are the same.
-inline Frame moved(const Frame& frame, const Similarity& t) {
-    return {t(frame.centroid), frame.axes * t.rotation.transpose(), t.scale * frame.scale};
-}
+Frame moved(const Frame& frame, const Similarity& t);
 
 /// The transform to canonical coordinates, as a similarity.
-inline Similarity to_canonical(const Frame& frame) {
-    return {frame.axes, 1 / frame.scale, -(frame.axes * frame.centroid) / frame.scale};
-}
+Similarity to_canonical(const Frame& frame);
 
 /// Angle between two orientations, in degrees, 0 to 180.
-inline double angle_between(const Mat3& a, const Mat3& b) {
-    constexpr double degree = 57.29577951308232;
-    return Eigen::AngleAxisd(Eigen::Quaterniond(Mat3(a * b.transpose()))).angle() * degree;
-}
+double angle_between(const Mat3& a, const Mat3& b);
 
 } // namespace wm3d::resync
