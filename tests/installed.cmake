@@ -13,12 +13,14 @@ if(WM3D_COMMANDS AND TARGET wm3d_voxels)
         SKIP_REGULAR_EXPRESSION "SKIPPED:")
 endif()
 
-# wm3d_consumer_test(NAME SOURCE PROGRAM OPTION...): configures and builds a project, and runs a program of it.
+# wm3d_consumer_test(NAME SOURCE PROGRAM OPTION...): configures and builds a project, and runs a program of it. What is tried
+# is whether it builds, so it is compiled in the least time.
 function(wm3d_consumer_test name source program)
     add_test(NAME ${name}
         COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${source} ${CMAKE_CURRENT_BINARY_DIR}/${program}-consumer
             --build-generator ${CMAKE_GENERATOR} --build-noclean
-            --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release ${ARGN}
+            --build-options -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release
+                "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" ${ARGN}
             --test-command ${program})
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
 endfunction()
@@ -37,7 +39,8 @@ if(NOT WM3D_SANITIZE) # whose libraries need programs that are built alike
     set_tests_properties("installed: import" PROPERTIES FIXTURES_REQUIRED installed TIMEOUT 600
         SKIP_REGULAR_EXPRESSION "SKIPPED:")
     wm3d_consumer_test("embedded: add_subdirectory" ${CMAKE_CURRENT_SOURCE_DIR}/embedded parts
-        -DWM3D_SOURCE=${PROJECT_SOURCE_DIR} -DWM3D_WITHOUT=${WM3D_WITHOUT} -DWM3D_RESYNC=${WM3D_RESYNC})
+        -DWM3D_SOURCE=${PROJECT_SOURCE_DIR} -DWM3D_WITHOUT=${WM3D_WITHOUT} -DWM3D_RESYNC=${WM3D_RESYNC}
+        -DCMAKE_UNITY_BUILD=${CMAKE_UNITY_BUILD} -DCMAKE_UNITY_BUILD_BATCH_SIZE=${CMAKE_UNITY_BUILD_BATCH_SIZE})
 endif()
 
 if(WM3D_COMMANDS AND NOT WM3D_SANITIZE)
