@@ -13,6 +13,7 @@ import unittest
 import outside
 from outside import wm3d
 
+FACES = 4000  # where files and lines are what is tried, not marks
 QUICK_MODELS = "stanford-bunny.obj", "horse.ply", "rocker-arm.obj"
 QUICK_ATTACKS = "noise:0.3,smoothing:10,quantization:9,subdivision:loop,simplification:70,remeshing"
 
@@ -34,7 +35,7 @@ class Resume(outside.InFolder):
         folder.mkdir(exist_ok=True)
         source = self.folder / "sample.ply"
         if not source.exists():
-            self.sample(8000)
+            self.sample(FACES)
         shutil.copy(source, folder / "sample.ply")
         return folder, [outside.WM3D, "bench", "-q", "--models", "sample.ply", "--out", "results", "--mrms", "0.05,0.1",
                         "--keys", str(keys), "--wrong-keys", "4", "--attacks", attacks,
@@ -87,7 +88,7 @@ class Resume(outside.InFolder):
     def test_a_model_that_breaks_is_a_line_and_its_results_stay(self):
         results = self.finish("broken", keys=1, attacks="noise:0.1")
         folder = results.parent
-        self.sample(8000, "obj").rename(folder / "other.obj")
+        self.sample(FACES, "obj").rename(folder / "other.obj")
         (folder / "sample.ply").write_text("no mesh any more")
         done = subprocess.run([outside.WM3D, "bench", "-q", "--models", ".", "--out", "results", "--mrms", "0.05,0.1", "--effort", "0",
                                "--keys", "1", "--wrong-keys", "4", "--attacks", "noise:0.1"],
@@ -99,7 +100,7 @@ class Resume(outside.InFolder):
         self.assertIn("| attack | other | sample |", summary)
 
     def test_the_time_left_is_shown(self):
-        source = self.sample(8000)
+        source = self.sample(FACES)
         status, shown = outside.on_terminal(["bench", "--models", source, "--out", self.folder / "results", "--keys", "2",
                                              "--wrong-keys", "0", "--attacks", "noise:0.1,file"], 100, {})
         self.assertEqual(status, 0, shown)
@@ -127,7 +128,7 @@ class Quick(outside.InFolder):
 
 class QuickSample(Quick):
     def test_sample(self):
-        self.check([self.sample(60000)], 6, "--reference")
+        self.check([self.sample(30000)], 6, "--reference")  # QuickModels has them of the size of scans
 
 
 class QuickModels(Quick):
