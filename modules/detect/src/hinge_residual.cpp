@@ -9,10 +9,6 @@ namespace wm3d::detect {
 
 namespace {
 
-/// Of the solution that carries folds back. The noise it is meant for is never quite that of a suspect: steps beyond this
-/// cost scores under noise, and what fewer would leave out costs those of rounded copies (docs/detector.md).
-constexpr double whitening_tolerance = 3e-2;
-
 /// D^-1/2 (I + sigma^2 J^T diag(g) J) D^-1/2 with D the diagonal of the middle, so that its own is 1: weights of the
 /// hinges lie decades apart. Kept as D^-1 + A^T A.
 class Whitening {

@@ -50,6 +50,10 @@ std::unique_ptr<Residual> diffusion_residual(const TriangleMesh& base, const Geo
                                              const Filter& filter, double variance_floor,
                                              const std::vector<std::vector<double>>& smooth);
 
+/// Of the solution that whitens folds, relative. The noise it is meant for is never quite that of a suspect: steps beyond
+/// this cost scores under noise, and what fewer would leave out costs those of rounded copies (docs/detector.md).
+inline constexpr double whitening_tolerance = 3e-2;
+
 /// Folds at the edges, by Cauchy's weights of this scale, whitened against this noise of the vertices. `hinges` and the
 /// positions of their mesh have to outlive it.
 std::unique_ptr<Residual> hinge_residual(const Hinges& hinges, std::span<const Vec3> positions, double scale,

@@ -12,8 +12,8 @@ namespace wm3d::detect {
 
 /// The low pass (M + t L)^-1 M with the lumped mass M and the cotangent Laplacian L of a surface. Works on
 /// any triangles: cotangents of obtuse and degenerate ones are clamped so that L stays symmetric and
-/// positive. Solves by conjugate gradients that never form M + tL, up to three vectors at a time: in one thread, and on
-/// dense surfaces over a hierarchy of levels in all threads: the bytes don't depend on their number.
+/// positive. Solves by conjugate gradients that never form M + tL: three vectors at a time in one thread, or one in
+/// each, and on dense surfaces over a hierarchy of levels in all threads: the bytes don't depend on their number.
 class SurfaceFilter {
 public:
     explicit SurfaceFilter(const TriangleMesh& mesh);
