@@ -162,26 +162,23 @@ double handle_box(const Vec3& p) {
 }
 
 /// A strap with sharp edges along a plane curve, wider at its root; thin across.
-double handle(const Vec3& p, double thickness) {
-    const double away = handle_box(p);
+/// \param away  handle_box(p)
+double handle(const Vec3& p, double thickness, double away) {
     if (away > 0.2) // far off, the box around it is bound enough
         return away;
     const Vec3 flat(p.x(), 0, p.z());
-    double nearest = std::numeric_limits<double>::infinity(), nearest_squared = nearest, t_nearest = 0;
+    double nearest_squared = std::numeric_limits<double>::infinity(), t_nearest = 0;
     for (const HandlePiece& piece : handle_curve()) {
         const Vec3 from = flat - piece.begin;
         const double s = std::clamp(from.dot(piece.along) / piece.squared_length, 0.0, 1.0);
         const double squared = (from - s * piece.along).squaredNorm();
-        if (squared >= nearest_squared)
-            continue;
-        if (const double d = std::sqrt(squared); d < nearest) {
-            nearest = d;
+        if (squared < nearest_squared) {
             nearest_squared = squared;
             t_nearest = piece.t + s / handle_pieces;
         }
     }
     const double half_width = 0.075 - 0.03 * smooth_step(0.0, 0.6, t_nearest);
-    const double across = nearest - 0.5 * thickness, along = std::abs(p.y()) - half_width;
+    const double across = std::sqrt(nearest_squared) - 0.5 * thickness, along = std::abs(p.y()) - half_width;
     return std::min(std::max(across, along), 0.0) + std::hypot(std::max(across, 0.0), std::max(along, 0.0));
 }
 
@@ -199,9 +196,10 @@ double ewer(const Vec3& p, double thinnest) {
     constexpr double fillet = 0.04;
     const auto [body, cavity] = vessel(p, std::max(0.034, thinnest));
     // Where the box around the handle is too far for the fillet, so is the handle.
-    const double with_handle = handle_box(p) > body + 1.01 * fillet
+    const double away = handle_box(p);
+    const double with_handle = away > body + 1.01 * fillet
                                    ? body
-                                   : smooth_union(body, handle(p, std::max(0.05, thinnest)), fillet);
+                                   : smooth_union(body, handle(p, std::max(0.05, thinnest), away), fillet);
     // The fillet must not close the mouth: the cavity is cut again through the handle's root.
     return std::min(std::max(with_handle, -cavity), plinth(p));
 }
