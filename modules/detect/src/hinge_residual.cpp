@@ -45,9 +45,9 @@ public:
             add(half + h, other, y);
             product += one * one + other * other;
         }
-        for (std::size_t h = 2 * half; h < rows_.size(); ++h) {
-            const double last = fold(h, x);
-            add(h, last, y);
+        if (rows_.size() % 2 != 0) {
+            const double last = fold(2 * half, x);
+            add(2 * half, last, y);
             product += last * last;
         }
         return {product};
